@@ -1,0 +1,233 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "cases/format/repeat.h"
+#include "cases/format/sections.h"
+#include "cases/format/space.h"
+
+namespace fillrule::format {
+namespace {
+
+// Far beyond any sensible case; a slip in `repeat` must not take all memory.
+constexpr size_t kMaxVertices = size_t{1} << 22U;
+
+// What one draw gives its vertices from, checked once and evaluated for each copy of `repeat`.
+struct VertexSource {
+  PositionSpace space = PositionSpace::kClip;
+  const toml::array* positions = nullptr;
+  std::vector<const toml::array*> varyings;  // as the case's; null where missing or wrong
+  const toml::array* indices = nullptr;      // null: none
+};
+
+std::optional<float> rounded_coordinate(const toml::node& node, double value, bool finite_inputs, Values& values) {
+  const auto rounded = static_cast<float>(value);
+  if (finite_inputs && !std::isfinite(rounded)) {
+    values.diagnostics().add(place_of(node), fmt::format("clip-space coordinate {} is beyond float32", value),
+                             "write inf if infinity is meant");
+    return std::nullopt;
+  }
+  return rounded;
+}
+
+ClipPosition read_clip_position(const toml::array& coordinates, Values& values) {
+  ClipPosition clip{};
+  for (size_t i = 0; i < clip.size(); ++i) {
+    clip[i] = values.float32(*coordinates.get(i), "coordinate").value_or(0.0F);
+  }
+  return clip;
+}
+
+ClipPosition read_other_position(const toml::array& coordinates, PositionSpace space, const VkViewport& viewport,
+                                 Values& values) {
+  Position position{0.0, 0.0, 0.5, 1.0};
+  bool finite_inputs = true;
+  for (size_t i = 0; i < coordinates.size(); ++i) {
+    const auto number = values.number(*coordinates.get(i), "coordinate");
+    if (!number) return {};
+    position[i] = number->value;
+    finite_inputs = finite_inputs && std::isfinite(number->value);
+  }
+  Position pos_clip = clip_from(space, position, viewport);
+  // Without a depth (and so with w = 1) the position lies in the middle of NDC, whatever the viewport's depth range.
+  if (coordinates.size() == 2) pos_clip[2] = 0.5;
+  ClipPosition rounded{};
+  for (size_t i = 0; i < rounded.size(); ++i) {
+    const auto value = rounded_coordinate(coordinates, pos_clip[i], finite_inputs, values);
+    if (!value) return {};
+    rounded[i] = *value;
+  }
+  return rounded;
+}
+
+ClipPosition read_position(const toml::node& node, PositionSpace space, const VkViewport& viewport, Values& values) {
+  const bool clip = space == PositionSpace::kClip;
+  const std::string_view expected = clip ? "[x, y, z, w]" : "[x, y], [x, y, z] or [x, y, z, w]";
+  const toml::array* const coordinates = as_array(node, "position", expected, values.diagnostics());
+  if (coordinates == nullptr) return {};
+  const size_t count = coordinates->size();
+  if (count > 4 || count < (clip ? 4U : 2U)) {
+    values.diagnostics().add(place_of(node),
+                             fmt::format("position in {} space must be {}, not {} numbers",
+                                         enum_name(kPositionSpaces, space), expected, count),
+                             clip ? R"(other spaces: space = "ndc" or "framebuffer")" : "");
+    return {};
+  }
+  return clip ? read_clip_position(*coordinates, values) : read_other_position(*coordinates, space, viewport, values);
+}
+
+void read_varying_value(const toml::node& node, const Varying& varying, Values& values, std::vector<float>& out) {
+  const toml::array* const components = node.as_array();
+  const size_t count = components == nullptr ? 1 : components->size();
+  if (count != varying.components) {
+    values.diagnostics().add(place_of(node), fmt::format("varying \"{}\" has {} components, not {}", varying.name,
+                                                         varying.components, count));
+    out.resize(out.size() + varying.components);
+    return;
+  }
+  for (size_t i = 0; i < count; ++i) {
+    const toml::node& component = components == nullptr ? node : *components->get(i);
+    out.push_back(values.float32(component, varying.name).value_or(0.0F));
+  }
+}
+
+void append_copy(const VertexSource& source, const std::vector<Varying>& varyings, Values& values, Draw& draw) {
+  const auto first_vertex = static_cast<uint32_t>(draw.positions.size());
+  for (size_t vertex = 0; vertex < source.positions->size(); ++vertex) {
+    draw.positions.push_back(
+        read_position(*source.positions->get(vertex), source.space, draw.state.viewport, values));
+    for (size_t i = 0; i < varyings.size(); ++i) {
+      if (source.varyings[i] == nullptr) continue;
+      read_varying_value(*source.varyings[i]->get(vertex), varyings[i], values, draw.varyings);
+    }
+  }
+  if (source.indices == nullptr) return;
+  const auto last = static_cast<int64_t>(source.positions->size()) - 1;
+  for (const toml::node& node : *source.indices) {
+    const auto index = values.integer(node, "index", {.min = 0, .max = last});
+    draw.indices->push_back(first_vertex + static_cast<uint32_t>(index.value_or(0)));
+  }
+}
+
+std::vector<const toml::array*> find_varyings(const toml::table& table, const std::vector<Varying>& varyings,
+                                              size_t vertex_count, Values& values) {
+  Diagnostics& diagnostics = values.diagnostics();
+  std::vector<const toml::array*> found(varyings.size(), nullptr);
+  const toml::node* const node = table.get("varyings");
+  const toml::table* const given = node == nullptr ? nullptr : as_table(*node, "draw.varyings", diagnostics);
+  if (node != nullptr && given == nullptr) return found;
+  std::vector<std::string> names;
+  for (size_t i = 0; i < varyings.size(); ++i) {
+    const std::string& name = varyings[i].name;
+    names.push_back(name);
+    const toml::node* const value = given == nullptr ? nullptr : given->get(name);
+    if (value == nullptr) {
+      diagnostics.add(place_of(table), fmt::format("draw lacks the varying \"{}\"", name),
+                      "give one value for each position in [draw.varyings]");
+      continue;
+    }
+    const toml::array* const array =
+        as_array(*value, fmt::format("varying \"{}\"", name), "an array with a value for each position", diagnostics);
+    if (array == nullptr) continue;
+    if (array->size() != vertex_count) {
+      diagnostics.add(place_of(*value), fmt::format("varying \"{}\" has {} values for {} positions", name,
+                                                    array->size(), vertex_count));
+      continue;
+    }
+    found[i] = array;
+  }
+  if (given == nullptr) return found;
+  for (const auto& [key, value] : *given) {
+    if (std::find(names.begin(), names.end(), key.str()) != names.end()) continue;
+    diagnostics.add(place_of(key), fmt::format("unknown varying \"{}\"", key.str()),
+                    names.empty() ? "declare it in [varyings]" : suggestion(key.str(), names, "declared"));
+  }
+  return found;
+}
+
+VkPrimitiveTopology read_topology(const toml::table& table, Values& values) {
+  constexpr VkPrimitiveTopology fallback = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  const toml::node* const node = table.get("topology");
+  if (node == nullptr) return fallback;
+  const auto name = values.text(*node, "topology");
+  if (!name) return fallback;
+  if (std::find(kUnsupportedTopologies.begin(), kUnsupportedTopologies.end(), *name) ==
+      kUnsupportedTopologies.end()) {
+    return values.enumerator(*node, "topology", kTopologies).value_or(fallback);
+  }
+  values.diagnostics().add(place_of(*node), fmt::format("topology \"{}\" is not supported yet", *name),
+                           fmt::format("supported: {}", fmt::join(enum_names(kTopologies), ", ")));
+  return fallback;
+}
+
+// Nothing if the draw has no positions to go on with.
+std::optional<VertexSource> find_vertices(const toml::table& table, const std::vector<Varying>& varyings,
+                                          Values& values) {
+  Diagnostics& diagnostics = values.diagnostics();
+  VertexSource source;
+  if (const toml::node* const node = table.get("space")) {
+    source.space = values.enumerator(*node, "space", kPositionSpaces).value_or(source.space);
+  }
+  if (const toml::node* const node = table.get("indices")) {
+    source.indices = as_array(*node, "indices", "an array of integers", diagnostics);
+    if (source.indices != nullptr && source.indices->empty()) {
+      diagnostics.add(place_of(*node), "indices is empty", "leave the key out to draw the vertices in their order");
+    }
+  }
+  const toml::node* const positions = table.get("positions");
+  if (positions == nullptr) {
+    diagnostics.add(place_of(table), "draw has no positions", "positions = [[x, y, z, w], ...]");
+    return std::nullopt;
+  }
+  source.positions = as_array(*positions, "positions", "an array of positions", diagnostics);
+  if (source.positions == nullptr) return std::nullopt;
+  if (source.positions->empty()) {
+    diagnostics.add(place_of(*positions), "positions is empty", "a draw has at least one vertex");
+    return std::nullopt;
+  }
+  source.varyings = find_varyings(table, varyings, source.positions->size(), values);
+  return source;
+}
+
+Draw read_draw(const toml::table& table, const Target& target, const std::vector<Varying>& varyings,
+               const RasterState& state, Values& values) {
+  check_keys({table, "[[draw]]"}, {"topology", "space", "positions", "indices", "repeat", "varyings", "state"},
+             values.diagnostics());
+  Draw draw{.topology = read_topology(table, values), .state = state};
+  if (const toml::node* const node = table.get("state")) {
+    const toml::table* const own = as_table(*node, "draw.state", values.diagnostics());
+    if (own != nullptr) read_state({*own, "[draw.state]"}, target, values, draw.state);
+  }
+  const auto source = find_vertices(table, varyings, values);
+  if (!source) return draw;
+  if (source->indices != nullptr) draw.indices.emplace();
+  const size_t size = source->positions->size() + (source->indices == nullptr ? 0 : source->indices->size());
+  for_each_copy(table.get("repeat"), kMaxVertices / size, values,
+                [&] { append_copy(*source, varyings, values, draw); });
+  return draw;
+}
+
+}  // namespace
+
+std::vector<Draw> read_draws(const toml::table& root, const Target& target, const std::vector<Varying>& varyings,
+                             const RasterState& state, Values& values) {
+  std::vector<Draw> draws;
+  const toml::node* const node = root.get("draw");
+  const toml::array* const array = node == nullptr ? nullptr : node->as_array();
+  if (node == nullptr || (array != nullptr && array->empty())) {
+    values.diagnostics().add(Place{}, "the case draws nothing", "add a [[draw]] with positions");
+    return draws;
+  }
+  if (array == nullptr) {
+    wrong_type(*node, "draw", "an array of tables", values.diagnostics(), "write [[draw]] with two brackets");
+    return draws;
+  }
+  for (const toml::node& entry : *array) {
+    const toml::table* const table = as_table(entry, "draw", values.diagnostics());
+    if (table != nullptr) draws.push_back(read_draw(*table, target, varyings, state, values));
+  }
+  return draws;
+}
+
+}  // namespace fillrule::format

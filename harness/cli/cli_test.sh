@@ -1,0 +1,63 @@
+#!/usr/bin/env bash
+# The command as a user meets it: exit codes, outputs, files outside the repository. $1 is the command.
+set -uo pipefail
+fillrule=$1
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+failures=0
+
+# expect CODE TEXT COMMAND...: the exit code, and a text that the output must hold ('' for none).
+expect() {
+  local code=$1 text=$2 output status
+  shift 2
+  output=$("$@" 2>&1)
+  status=$?
+  if [ "$status" -ne "$code" ] || ! grep -qF -- "$text" <<<"$output"; then
+    printf 'FAILED: %s\n  exit code %s, expected %s with the text: %s\n%s\n' "$*" "$status" "$code" "$text" "$output"
+    failures=$((failures + 1))
+  fi
+}
+
+# expect_file FILE TEXT
+expect_file() {
+  grep -qF -- "$2" "$1" 2>/dev/null || { echo "FAILED: no '$2' in $1"; failures=$((failures + 1)); }
+}
+
+head='title = "t"
+why = "w"
+spec = "s"
+[target]
+size = [16, 16]'
+mkdir "$work/own"
+printf '%s\n[[draw]]\nspace = "framebuffer"\npositions = [[1, 1], [15, 1], [1, 15]]\n' "$head" >"$work/own/good.toml"
+printf '%s\n[[draw]]\ncolour = 3\npositions = []\n' "$head" >"$work/own/bad.toml"
+
+cd "$work" || exit 1
+expect 0 'coverage/shared_diagonal' "$fillrule" list 'coverage/shared_*'
+expect 0 '1 cases: 1 passed' "$fillrule" run own/good.toml
+expect 0 '1 cases: 1 passed' "$fillrule" run "$work/own/good.toml" --reference none
+expect 2 'own/bad.toml:7:1' "$fillrule" run own
+expect 2 '1 cases: 1 passed' "$fillrule" run own
+expect 2 'no_such_case' "$fillrule" run coverage/no_such_case
+expect 2 'Run with --help' "$fillrule" run --no-such-option
+expect 2 'subcommand' "$fillrule"
+expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candidate painter
+expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
+expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
+expect 0 'lavapipe' "$fillrule" devices
+expect 0 'Exit codes' "$fillrule" run --help
+expect 0 'times that' "$fillrule" run own/good.toml --timing
+expect 0 'good.png' "$fillrule" show own/good.toml --report "$work/shown"
+[ -s "$work/shown/good.png" ] && [ -s "$work/shown/good.reference.exr" ] || { echo 'FAILED: no pictures'; failures=$((failures + 1)); }
+
+expect 0 '' "$fillrule" run own/good.toml --json "$work/results.json" --report "$work/report"
+expect_file "$work/results.json" '"driver": "lavapipe"'
+expect_file "$work/report/results.json" '"candidate_faults": 0'
+expect 2 'cannot be written' "$fillrule" run own/good.toml --json "$work/no/such/folder.json"
+
+# A candidate that is held to lavapipe's subpixel bits, and snaps to another grid, is caught and shown.
+printf '%s\n[[draw]]\nspace = "framebuffer"\npositions = [[1, 1], ["10.5 + 1/64", 1], ["10.5 + 1/64", 15]]\n' "$head" >"$work/own/good.toml"
+expect 0 '1 passed' "$fillrule" run own/good.toml --subpixel-bits 4
+
+if [ "$failures" -eq 0 ]; then echo 'all command line checks passed'; fi
+exit "$((failures > 0))"

@@ -1,0 +1,55 @@
+// Every case of the suite as a GoogleTest test of its own, named TOPIC.NAME[SWEEP], so that filters and sharding work
+// on the suite. Our renderer is held to every profile, with the validation layers on.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "cases/format/suite.h"
+#include "harness/report/terminal.h"
+#include "harness/run/suite_runner.h"
+
+namespace {
+
+using fillrule::Case;
+
+// Vulkan starts with the first test, so that listing the tests needs no device.
+fillrule::Result<fillrule::run::SuiteRunner>& shared_runner() {
+  static fillrule::Result<fillrule::run::SuiteRunner> runner = fillrule::run::SuiteRunner::create(
+      {.profile = {.top_left = true, .precise = true, .same_bits = true}, .validation = true});
+  return runner;
+}
+
+class ConformanceTest : public testing::Test {
+ public:
+  explicit ConformanceTest(const Case& test_case) : case_(test_case) {}
+
+  void TestBody() override {
+    auto& runner = shared_runner();
+    ASSERT_TRUE(runner) << to_string(runner.error());
+    const auto drawing = runner->draw(case_);
+    ASSERT_TRUE(drawing) << to_string(drawing.error());
+    EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::report::case_text(
+        {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict});
+    EXPECT_TRUE(runner->validation_messages().empty()) << runner->validation_messages().back();
+  }
+
+ private:
+  const Case& case_;
+};
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  const fillrule::format::Suite suite = fillrule::format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  for (const fillrule::Error& error : suite.errors) std::fprintf(stderr, "%s\n", to_string(error).c_str());
+  if (!suite.errors.empty() || suite.cases.empty()) return 2;
+  for (const Case& one : suite.cases) {
+    const size_t slash = one.name.find('/');
+    const std::string topic = one.name.substr(0, slash);
+    testing::RegisterTest(topic.c_str(), one.name.substr(slash + 1).c_str(), nullptr, nullptr, one.file.c_str(), 1,
+                          [&one]() -> testing::Test* { return new ConformanceTest(one); });
+  }
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,291 @@
+#include "harness/judge/judge.h"
+
+#include <algorithm>
+#include <bit>
+#include <memory>
+
+#include "harness/judge/row_judge.h"
+#include "harness/judge/standing.h"
+
+namespace fillrule::judge {
+namespace {
+
+using Class = Standing::Class;
+
+// A party with everything that judging it takes.
+struct Judged {
+  const Party& party;
+  const exact::Expectation& expectation;
+  ValueCache values;
+  Replay replay;
+  PartyJudge judge;
+  RowJudge rows;
+  const Possibilities* possible = nullptr;
+
+  Judged(const Case& test_case, const Party& judged, const exact::Expectation& expected, bool top_left)
+      : party(judged),
+        expectation(expected),
+        values(test_case, expected),
+        replay(test_case, expected, values, judged.subpixel_bits, top_left),
+        judge(test_case, *judged.planes, expected, values),
+        rows(test_case, *judged.planes, expected, values) {}
+};
+
+// One plane of a party, whatever its type.
+struct PlaneValue {
+  uint32_t bits = 0;
+  double number = 0;
+};
+
+PlaneValue integer(uint32_t value) {
+  return {.bits = value, .number = static_cast<double>(value)};
+}
+
+PlaneValue floating(float value) {
+  return {.bits = std::bit_cast<uint32_t>(value), .number = static_cast<double>(value)};
+}
+
+PlaneValue value_of(const Planes& planes, PlaneKind kind, uint32_t component, size_t index) {
+  switch (kind) {
+    case PlaneKind::kCoverage:
+      return integer(planes.hits[index] != 0 ? 1 : 0);
+    case PlaneKind::kHits:
+      return integer(planes.hits[index]);
+    case PlaneKind::kOwner:
+      return integer(planes.owner[index]);
+    case PlaneKind::kFrontFacing:
+      return integer(planes.front_facing[index]);
+    case PlaneKind::kDepth:
+      return floating(planes.depth[index]);
+    case PlaneKind::kVarying:
+      return floating(planes.varyings[component][index]);
+  }
+  return {};
+}
+
+Standing standing_of(const Judged& judged, PlaneKind kind, uint32_t component, size_t index) {
+  switch (kind) {
+    case PlaneKind::kCoverage:
+      return judged.judge.coverage(*judged.possible, index);
+    case PlaneKind::kHits:
+      return judged.judge.hits(*judged.possible, index);
+    case PlaneKind::kOwner:
+      return judged.judge.owner(*judged.possible, index);
+    case PlaneKind::kFrontFacing:
+      return judged.judge.front_facing(*judged.possible, index);
+    case PlaneKind::kDepth:
+      return judged.judge.depth(*judged.possible, index);
+    case PlaneKind::kVarying:
+      return judged.judge.varying(*judged.possible, index, component);
+  }
+  return {};
+}
+
+Verdict combine(const Standing& candidate, const Standing* reference, bool equal_bits) {
+  const bool reference_outside = reference != nullptr && reference->outside();
+  if (candidate.outside()) return reference_outside ? Verdict::kBothFault : Verdict::kCandidateFault;
+  if (reference_outside) return Verdict::kReferenceFault;
+  if (reference != nullptr && equal_bits) return Verdict::kIdentical;
+  if (candidate.level == Class::kImprecise || (reference != nullptr && reference->level == Class::kImprecise)) {
+    return Verdict::kImprecise;
+  }
+  return reference == nullptr && candidate.level == Class::kExact ? Verdict::kIdentical : Verdict::kPermitted;
+}
+
+bool graver(const SampleRecord& a, const SampleRecord& b) {
+  return a.verdict > b.verdict || (a.verdict == b.verdict && a.severity > b.severity);
+}
+
+void record(PlaneVerdict& plane, const SampleRecord& sample) {
+  // The box and the first sample belong to the gravest class met.
+  if (!plane.first || sample.verdict > plane.first->verdict) {
+    plane.first = sample;
+    plane.bounds = Bounds{.min_x = sample.x, .min_y = sample.y, .max_x = sample.x, .max_y = sample.y};
+  } else if (sample.verdict == plane.first->verdict) {
+    Bounds& box = *plane.bounds;
+    box = {.min_x = std::min(box.min_x, sample.x),
+           .min_y = std::min(box.min_y, sample.y),
+           .max_x = std::max(box.max_x, sample.x),
+           .max_y = std::max(box.max_y, sample.y)};
+  }
+  if (!plane.worst || graver(sample, *plane.worst)) plane.worst = sample;
+}
+
+std::vector<PlaneVerdict> planes_of(const Case& test_case, bool with_depth) {
+  std::vector<PlaneVerdict> planes{{.name = "coverage", .kind = PlaneKind::kCoverage},
+                                   {.name = "hits", .kind = PlaneKind::kHits},
+                                   {.name = "owner", .kind = PlaneKind::kOwner},
+                                   {.name = "front_facing", .kind = PlaneKind::kFrontFacing}};
+  if (with_depth) planes.push_back({.name = "depth", .kind = PlaneKind::kDepth});
+  uint32_t component = 0;
+  for (const Varying& varying : test_case.varyings) {
+    planes.push_back({.name = varying.name,
+                      .kind = PlaneKind::kVarying,
+                      .first_component = component,
+                      .components = varying.components});
+    component += varying.components;
+  }
+  return planes;
+}
+
+class CaseJudge {
+ public:
+  CaseJudge(const Case& test_case, Judged& candidate, Judged* reference, const Settings& settings)
+      : case_(test_case), candidate_(candidate), reference_(reference), settings_(settings) {}
+
+  CaseVerdict run() {
+    const Planes& planes = *candidate_.party.planes;
+    CaseVerdict verdict{.planes = planes_of(case_, !planes.depth.empty())};
+    verdict.samples = planes.hits.size();
+    if (settings_.keep_maps) {
+      for (PlaneVerdict& plane : verdict.planes) plane.map.assign(verdict.samples, Verdict::kIdentical);
+    }
+    for (size_t begin = 0; begin < verdict.samples;) {
+      const size_t row_end = begin - begin % planes.width + planes.width;
+      const size_t end = end_of_run(begin, row_end);
+      judge_run(verdict, begin, end);
+      begin = end;
+    }
+    return verdict;
+  }
+
+ private:
+  // Samples [begin, end) of a row about which both oracles say the same.
+  [[nodiscard]] size_t end_of_run(size_t begin, size_t row_end) const {
+    const auto& sole = candidate_.expectation.sole();
+    const auto& sole_reference = reference_ != nullptr ? reference_->expectation.sole() : sole;
+    size_t end = begin + 1;
+    while (end < row_end && sole[end] == sole[begin] && sole_reference[end] == sole_reference[begin]) ++end;
+    return end;
+  }
+
+  void judge_run(CaseVerdict& verdict, size_t begin, size_t end) {
+    const uint32_t sole = candidate_.expectation.sole()[begin];
+    const bool agreed = reference_ == nullptr || reference_->expectation.sole()[begin] == sole;
+    const bool in_bulk = agreed && sole != exact::kSeveral && candidate_.rows.start(sole, begin, end) &&
+                         (reference_ == nullptr || reference_->rows.start(sole, begin, end));
+    if (in_bulk && sole != exact::kNothing) verdict.covered_samples += end - begin;
+    size_t open = 0;  // planes that have to be judged sample by sample
+    std::vector<bool>& is_open = open_planes_;
+    is_open.assign(verdict.planes.size(), true);
+    for (size_t p = 0; p < verdict.planes.size(); ++p) {
+      is_open[p] = !in_bulk || settings_.keep_maps || !judge_plane_run(verdict.planes[p], begin, end);
+      open += is_open[p] ? 1 : 0;
+    }
+    if (in_bulk && open == 0) return;
+    for (size_t index = begin; index < end; ++index) judge_sample(verdict, index, !in_bulk);
+  }
+
+  // A whole run of one plane, where every value of both parties is well within its tolerance; false where it is not.
+  bool judge_plane_run(PlaneVerdict& plane, size_t begin, size_t end) {
+    uint64_t identical = end - begin;
+    if (plane.kind == PlaneKind::kDepth || plane.kind == PlaneKind::kVarying) {
+      std::vector<uint8_t>& equal = equal_;
+      equal.assign(end - begin, 1);
+      for (uint32_t c = plane.first_component; c < plane.first_component + plane.components; ++c) {
+        if (!candidate_.rows.within(plane.kind, c) ||
+            (reference_ != nullptr && !reference_->rows.within(plane.kind, c))) {
+          return false;
+        }
+        const float* const other = reference_ != nullptr ? reference_->rows.values(plane.kind, c) : nullptr;
+        candidate_.rows.mark_equal(plane.kind, c, other, equal);
+      }
+      identical = static_cast<uint64_t>(std::count(equal.begin(), equal.end(), 1));
+    } else if (!candidate_.rows.integers_right() || (reference_ != nullptr && !reference_->rows.integers_right())) {
+      return false;
+    }
+    plane.counts[static_cast<size_t>(Verdict::kIdentical)] += identical;
+    plane.counts[static_cast<size_t>(Verdict::kPermitted)] += end - begin - identical;
+    return true;
+  }
+
+  void judge_sample(CaseVerdict& verdict, size_t index, bool count_sample) {
+    candidate_.possible = &candidate_.replay.at(index);
+    if (reference_ != nullptr) reference_->possible = &reference_->replay.at(index);
+    const Possibilities& possible = *candidate_.possible;
+    if (count_sample) verdict.covered_samples += possible.most_hits > 0 || possible.in_doubt ? 1 : 0;
+    verdict.may_samples += possible.in_doubt ? 1 : 0;
+    verdict.undefined_samples += possible.undefined ? 1 : 0;
+    for (size_t p = 0; p < verdict.planes.size(); ++p) {
+      if (!open_planes_[p]) continue;
+      PlaneVerdict& plane = verdict.planes[p];
+      SampleRecord sample = judge_component(plane.kind, plane.first_component, index);
+      for (uint32_t c = 1; c < plane.components; ++c) {
+        SampleRecord other = judge_component(plane.kind, plane.first_component + c, index);
+        other.component = c;
+        if (graver(other, sample)) sample = other;
+      }
+      ++plane.counts[static_cast<size_t>(sample.verdict)];
+      if (settings_.keep_maps) plane.map[index] = sample.verdict;
+      if (sample.verdict > Verdict::kPermitted) record(plane, sample);
+    }
+  }
+
+  SampleRecord judge_component(PlaneKind kind, uint32_t component, size_t index) {
+    const PlaneValue candidate_value = value_of(*candidate_.party.planes, kind, component, index);
+    Standing candidate = standing_of(candidate_, kind, component, index);
+    if (settings_.profile.precise && candidate.level == Class::kImprecise) candidate.level = Class::kOutside;
+    SampleRecord sample{.x = static_cast<uint32_t>(index % case_.target.width),
+                        .y = static_cast<uint32_t>(index / case_.target.width),
+                        .candidate = candidate_value.number,
+                        .expected = candidate.expected,
+                        .tolerance = candidate.tolerance,
+                        .severity = candidate.severity};
+    if (reference_ == nullptr) {
+      sample.verdict = combine(candidate, nullptr, false);
+      return sample;
+    }
+    const PlaneValue reference_value = value_of(*reference_->party.planes, kind, component, index);
+    const Standing reference = standing_of(*reference_, kind, component, index);
+    const bool equal_bits = candidate_value.bits == reference_value.bits;
+    if (!equal_bits && !reference.outside() && must_have_same_bits(kind, index)) candidate.level = Class::kOutside;
+    sample.reference = reference_value.number;
+    sample.verdict = combine(candidate, &reference, equal_bits);
+    if (sample.verdict == Verdict::kReferenceFault) {
+      sample.expected = reference.expected;
+      sample.tolerance = reference.tolerance;
+    }
+    sample.severity = std::max(candidate.severity, reference.severity);
+    return sample;
+  }
+
+  [[nodiscard]] bool must_have_same_bits(PlaneKind kind, size_t index) const {
+    if (!settings_.profile.same_bits || candidate_.party.subpixel_bits != reference_->party.subpixel_bits)
+      return false;
+    if (kind != PlaneKind::kCoverage && kind != PlaneKind::kHits && kind != PlaneKind::kOwner) return false;
+    const exact::Expectation& expectation = candidate_.expectation;
+    std::vector<exact::Entry> entries;
+    expectation.collect(index, entries);
+    for (const exact::Entry& entry : entries) {
+      const exact::Primitive& primitive = expectation.primitives()[entry.primitive];
+      if (!primitive.triangle.inside_volume() || primitive.triangle.undefined()) return false;
+      // Depth within the tolerance of what is stored may pass on one side and fail on the other.
+      const RasterState& state = case_.draws[primitive.draw].state;
+      if (state.depth_test && candidate_.possible->least_hits != candidate_.possible->most_hits) return false;
+    }
+    return true;
+  }
+
+  const Case& case_;
+  Judged& candidate_;
+  Judged* reference_;
+  const Settings& settings_;
+  std::vector<bool> open_planes_;
+  std::vector<uint8_t> equal_;
+};
+
+}  // namespace
+
+CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings) {
+  const exact::Expectation for_candidate(test_case, candidate.subpixel_bits);
+  Judged judged_candidate(test_case, candidate, for_candidate, settings.profile.top_left);
+  if (reference == nullptr) return CaseJudge(test_case, judged_candidate, nullptr, settings).run();
+  std::unique_ptr<exact::Expectation> for_reference;
+  if (reference->subpixel_bits != candidate.subpixel_bits) {
+    for_reference = std::make_unique<exact::Expectation>(test_case, reference->subpixel_bits);
+  }
+  Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, false);
+  return CaseJudge(test_case, judged_candidate, &judged_reference, settings).run();
+}
+
+}  // namespace fillrule::judge

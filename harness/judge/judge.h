@@ -1,0 +1,38 @@
+// The verdict: a candidate and, where there is one, a reference, each held against the exact oracle at every sample.
+// The two are never held against each other, so that neither can be accused for the other's fault.
+#pragma once
+
+#include <cstdint>
+
+#include "cases/model/case.h"
+#include "cases/model/planes.h"
+#include "harness/judge/verdict.h"
+
+namespace fillrule::judge {
+
+struct Party {
+  const Planes* planes = nullptr;
+  uint32_t subpixel_bits = 8;
+};
+
+// What a candidate is asked for beyond the specification.
+struct Profile {
+  // Ties follow the top-left rule, wherever the vertices lie exactly on the candidate's subpixel grid.
+  bool top_left = false;
+  // Imprecise values are faults.
+  bool precise = false;
+  // Coverage, owner and hits are equal to the reference's wherever no primitive had to be clipped. Applies only to a
+  // candidate of the same subpixel bits as the reference.
+  bool same_bits = false;
+};
+
+struct Settings {
+  Profile profile;
+  bool keep_maps = false;  // fill PlaneVerdict::map
+};
+
+// `reference` may be null: the candidate is then held against the oracle alone, and "identical" means equal to the
+// exact value rounded to float32.
+CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings);
+
+}  // namespace fillrule::judge

@@ -1,0 +1,276 @@
+// The judge is shown right pictures with one thing made wrong at a time, and has to say what is wrong and whose fault
+// it is. The right pictures come from the oracle itself.
+#include "harness/judge/judge.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <limits>
+
+#include "reference/exact/expectation.h"
+
+namespace fillrule::judge {
+namespace {
+
+constexpr uint32_t kSize = 16;
+
+ClipPosition at(double x, double y, double z = 0.5, double w = 1) {
+  return {static_cast<float>((x / (kSize / 2) - 1) * w), static_cast<float>((y / (kSize / 2) - 1) * w),
+          static_cast<float>(z * w), static_cast<float>(w)};
+}
+
+Draw draw_of(std::vector<ClipPosition> positions) {
+  Draw draw{.positions = std::move(positions)};
+  draw.state.viewport = {.x = 0, .y = 0, .width = kSize, .height = kSize, .minDepth = 0, .maxDepth = 1};
+  draw.state.scissor = {.offset = {}, .extent = {.width = kSize, .height = kSize}};
+  draw.state.depth_test = true;
+  draw.state.depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL;
+  for (size_t i = 0; i < draw.positions.size(); ++i) {
+    const float corner = static_cast<float>(i % 3);
+    draw.varyings.insert(draw.varyings.end(), {corner, 1 - corner, corner + 10});
+  }
+  return draw;
+}
+
+// A square of two triangles in perspective, its diagonal through pixel centres.
+Case square() {
+  Case result{.name = "square",
+              .target = {.width = kSize, .height = kSize},
+              .varyings = {{.name = "uv", .components = 2, .interpolation = Interpolation::kSmooth},
+                           {.name = "id", .components = 1, .interpolation = Interpolation::kFlat}}};
+  result.draws.push_back(draw_of({at(2, 2, 0.2, 1), at(14, 2, 0.4, 2), at(2, 14, 0.3, 1), at(14, 2, 0.4, 2),
+                                  at(14, 14, 0.8, 4), at(2, 14, 0.3, 1)}));
+  return result;
+}
+
+// What a rasterizer without any error draws: each sample owned by the top-left rule, values rounded once.
+Planes perfect(const Case& test_case) {
+  const exact::Expectation expectation(test_case, 8);
+  Planes planes = Planes::cleared(kSize, kSize, 1, component_count(test_case.varyings), test_case.target.clear_depth);
+  for (size_t index = 0; index < planes.hits.size(); ++index) {
+    const double x = static_cast<double>(index % kSize) + 0.5;
+    const double y = static_cast<double>(index / kSize) + 0.5;
+    std::vector<exact::Entry> entries;
+    expectation.collect(index, entries);
+    for (const exact::Entry& entry : entries) {
+      const exact::Primitive& primitive = expectation.primitives()[entry.primitive];
+      if (primitive.triangle.undefined() || !primitive.triangle.owns(x, y)) continue;
+      const exact::TriangleValues values(primitive.triangle, primitive.latitude);
+      ++planes.hits[index];
+      planes.owner[index] = entry.primitive;
+      planes.front_facing[index] = primitive.front_facing ? 1 : 0;
+      planes.depth[index] = static_cast<float>(values.depth(x, y).value);
+      uint32_t component = 0;
+      for (const Varying& varying : test_case.varyings) {
+        for (uint32_t c = 0; c < varying.components; ++c, ++component) {
+          std::array<float, 3> q{};
+          const Draw& draw = test_case.draws[primitive.draw];
+          for (size_t i = 0; i < 3; ++i)
+            q[i] = draw.varyings[primitive.vertices[i] * planes.varyings.size() + component];
+          const auto prepared = values.component(varying.interpolation, q, primitive.provoking);
+          planes.varyings[component][index] = static_cast<float>(values.varying(prepared, x, y).value);
+        }
+      }
+    }
+  }
+  return planes;
+}
+
+size_t index_of(uint32_t x, uint32_t y) {
+  return size_t{y} * kSize + x;
+}
+
+const PlaneVerdict& plane(const CaseVerdict& verdict, const std::string& name) {
+  for (const PlaneVerdict& candidate : verdict.planes) {
+    if (candidate.name == name) return candidate;
+  }
+  throw std::out_of_range(name);
+}
+
+CaseVerdict judge_pair(const Case& test_case, const Planes& candidate, const Planes& reference,
+                       Profile profile = {}) {
+  const Party reference_party{.planes = &reference};
+  return judge(test_case, {.planes = &candidate}, &reference_party, {.profile = profile, .keep_maps = true});
+}
+
+using Spoil = std::function<void(Planes&)>;
+
+// Spoils the candidate alone, the reference alone, and both; expects the fault where it was made.
+void expect_fault(const std::string& plane_name, const Spoil& spoil, const Case& test_case = square()) {
+  const Planes right = perfect(test_case);
+  Planes wrong = right;
+  spoil(wrong);
+  const CaseVerdict candidate_wrong = judge_pair(test_case, wrong, right);
+  EXPECT_EQ(plane(candidate_wrong, plane_name).candidate_faults(), 1U) << plane_name;
+  EXPECT_EQ(candidate_wrong.reference_faults(), 0U) << plane_name;
+  const CaseVerdict reference_wrong = judge_pair(test_case, right, wrong);
+  EXPECT_EQ(reference_wrong.candidate_faults(), 0U) << plane_name;
+  EXPECT_EQ(plane(reference_wrong, plane_name).reference_faults(), 1U) << plane_name;
+  const CaseVerdict both_wrong = judge_pair(test_case, wrong, wrong);
+  EXPECT_EQ(plane(both_wrong, plane_name).count(Verdict::kBothFault), 1U) << plane_name;
+  const CaseVerdict alone = judge(test_case, {.planes = &wrong}, nullptr, {});
+  EXPECT_EQ(plane(alone, plane_name).candidate_faults(), 1U) << plane_name;
+}
+
+TEST(Judge, APerfectPictureIsIdenticalToItselfAndToTheOracle) {
+  const Case test_case = square();
+  const Planes planes = perfect(test_case);
+  const CaseVerdict verdict =
+      judge_pair(test_case, planes, planes, {.top_left = true, .precise = true, .same_bits = true});
+  EXPECT_EQ(verdict.count(Verdict::kIdentical), verdict.samples * verdict.planes.size());
+  const CaseVerdict alone = judge(test_case, {.planes = &planes}, nullptr, {});
+  EXPECT_EQ(alone.candidate_faults(), 0U);
+  EXPECT_EQ(alone.count(Verdict::kImprecise), 0U);
+  EXPECT_GT(alone.may_samples, 0U);
+  EXPECT_LT(alone.may_samples, alone.covered_samples);
+  EXPECT_EQ(verdict.may_samples, 0U);  // the profile leaves no tie open
+}
+
+TEST(Judge, AMissingSampleIsAFaultOfCoverage) {
+  expect_fault("coverage", [](Planes& planes) {
+    const size_t i = index_of(5, 5);
+    planes.hits[i] = 0;
+    planes.owner[i] = kNoOwner;
+    planes.depth[i] = 1;
+    for (auto& varying : planes.varyings) varying[i] = 0;
+  });
+}
+
+TEST(Judge, AnExtraSampleIsAFaultOfCoverage) {
+  expect_fault("coverage", [](Planes& planes) {
+    planes.hits[index_of(0, 0)] = 1;
+    planes.owner[index_of(0, 0)] = 0;
+  });
+}
+
+TEST(Judge, ADoubleHitOnASharedEdgeIsAFaultOfHits) {
+  expect_fault("hits", [](Planes& planes) { planes.hits[index_of(7, 8)] = 2; });
+}
+
+TEST(Judge, AGapOnASharedEdgeIsAFaultOfCoverage) {
+  expect_fault("coverage", [](Planes& planes) {
+    const size_t i = index_of(7, 8);
+    planes.hits[i] = 0;
+    planes.owner[i] = kNoOwner;
+    planes.depth[i] = 1;
+  });
+}
+
+TEST(Judge, AWrongOwnerIsToldFromAnOpenOne) {
+  expect_fault("owner", [](Planes& planes) { planes.owner[index_of(4, 4)] = 1; });
+  const Case test_case = square();
+  const Planes right = perfect(test_case);
+  Planes other = right;
+  other.owner[index_of(7, 8)] ^= 1U;  // on the diagonal either triangle may own the sample
+  EXPECT_EQ(judge_pair(test_case, other, right).candidate_faults(), 0U);
+  EXPECT_EQ(judge_pair(test_case, other, right, {.top_left = true}).candidate_faults(), 1U);
+  EXPECT_EQ(judge_pair(test_case, other, right, {.same_bits = true}).candidate_faults(), 1U);
+}
+
+TEST(Judge, AWrongFacingIsAFault) {
+  expect_fault("front_facing", [](Planes& planes) { planes.front_facing[index_of(4, 4)] ^= 1U; });
+}
+
+TEST(Judge, ValuesArePermittedThenImpreciseThenAtFault) {
+  const Case test_case = square();
+  const Planes right = perfect(test_case);
+  const size_t i = index_of(4, 4);
+  const auto verdict_of = [&](float depth, Profile profile = {}) {
+    Planes other = right;
+    other.depth[i] = depth;
+    return plane(judge_pair(test_case, other, right, profile), "depth").map[i];
+  };
+  Planes far_off = right;
+  far_off.depth[i] += 0.5F;
+  const double tolerance = plane(judge_pair(test_case, far_off, right), "depth").worst->tolerance;
+  const auto moved = [&](double times) { return static_cast<float>(double{right.depth[i]} + times * tolerance); };
+  EXPECT_EQ(verdict_of(moved(0.9)), Verdict::kPermitted);
+  EXPECT_EQ(verdict_of(moved(1.5)), Verdict::kImprecise);
+  EXPECT_EQ(verdict_of(moved(1.5), {.precise = true}), Verdict::kCandidateFault);
+  EXPECT_EQ(verdict_of(moved(-63)), Verdict::kImprecise);
+  EXPECT_EQ(verdict_of(moved(65)), Verdict::kCandidateFault);
+  EXPECT_EQ(verdict_of(std::numeric_limits<float>::quiet_NaN()), Verdict::kCandidateFault);
+}
+
+TEST(Judge, AWrongVaryingIsAFaultOfItsPlaneAlone) {
+  expect_fault("uv", [](Planes& planes) { planes.varyings[1][index_of(4, 4)] += 0.25F; });
+  expect_fault("id", [](Planes& planes) {
+    float& value = planes.varyings[2][index_of(4, 4)];
+    value = std::nextafter(value, 100.0F);
+  });
+  expect_fault("uv", [](Planes& planes) { planes.varyings[0][index_of(9, 3)] = INFINITY; });
+}
+
+TEST(Judge, WhereNothingLandedNothingMayBeWritten) {
+  expect_fault("depth", [](Planes& planes) { planes.depth[index_of(0, 0)] = 0.999F; });
+  expect_fault("uv", [](Planes& planes) { planes.varyings[0][index_of(0, 0)] = 1; });
+}
+
+TEST(Judge, TheDepthTestDecidesWhoOwnsASample) {
+  Case layered = square();
+  layered.draws.push_back(layered.draws.front());
+  for (ClipPosition& position : layered.draws[1].positions) position[2] = 0.95F * position[3];
+  const Planes front = perfect(square());
+  EXPECT_EQ(judge(layered, {.planes = &front}, nullptr, {}).candidate_faults(), 0U);
+  Planes behind = front;
+  behind.owner[index_of(4, 4)] = 2;
+  behind.hits[index_of(4, 4)] = 2;
+  const CaseVerdict verdict = judge(layered, {.planes = &behind}, nullptr, {});
+  EXPECT_EQ(plane(verdict, "owner").candidate_faults(), 1U);
+  EXPECT_EQ(plane(verdict, "hits").candidate_faults(), 1U);
+}
+
+TEST(Judge, TheSameGeometryDrawnTwiceHasTheSameDepth) {
+  Case twice = square();
+  twice.draws.push_back(twice.draws.front());
+  const auto hits_faults = [&twice](VkCompareOp op, uint32_t hits) {
+    twice.draws[1].state.depth_compare = op;
+    Planes planes = perfect(square());
+    for (uint32_t& count : planes.hits) count = count != 0 ? hits : 0;
+    for (uint32_t& owner : planes.owner) owner += owner != kNoOwner && hits == 2 ? 2 : 0;
+    return judge(twice, {.planes = &planes}, nullptr, {}).candidate_faults();
+  };
+  EXPECT_EQ(hits_faults(VK_COMPARE_OP_LESS, 1), 0U);
+  EXPECT_GT(hits_faults(VK_COMPARE_OP_LESS, 2), 0U);
+  EXPECT_EQ(hits_faults(VK_COMPARE_OP_EQUAL, 2), 0U);
+  EXPECT_GT(hits_faults(VK_COMPARE_OP_EQUAL, 1), 0U);
+}
+
+TEST(Judge, AnUndefinedPrimitiveIsNobodysFaultAndLeavesItsNeighboursJudged) {
+  Case with_nan = square();
+  Draw nan = draw_of({at(2, 2), at(14, 2), at(2, 14)});
+  nan.positions[1][0] = std::numeric_limits<float>::quiet_NaN();
+  with_nan.draws.push_back(nan);
+  const Planes neighbours = perfect(square());
+  const CaseVerdict verdict = judge(with_nan, {.planes = &neighbours}, nullptr, {});
+  EXPECT_EQ(verdict.candidate_faults(), 0U);
+  EXPECT_EQ(verdict.undefined_samples, verdict.samples);
+  Planes disturbed = neighbours;
+  disturbed.hits[index_of(4, 4)] = 0;
+  disturbed.owner[index_of(4, 4)] = kNoOwner;
+  disturbed.depth[index_of(4, 4)] = 1;
+  EXPECT_GT(judge(with_nan, {.planes = &disturbed}, nullptr, {}).candidate_faults(), 0U);
+}
+
+TEST(Judge, ReportsTheBoxTheFirstAndTheWorstSample) {
+  const Case test_case = square();
+  const Planes right = perfect(test_case);
+  Planes wrong = right;
+  wrong.depth[index_of(4, 3)] += 0.1F;
+  wrong.depth[index_of(3, 6)] += 0.3F;
+  const CaseVerdict verdict = judge_pair(test_case, wrong, right);
+  const PlaneVerdict& depth = plane(verdict, "depth");
+  EXPECT_EQ(depth.candidate_faults(), 2U);
+  EXPECT_EQ(depth.first->x, 4U);
+  EXPECT_EQ(depth.first->y, 3U);
+  EXPECT_EQ(depth.worst->x, 3U);
+  EXPECT_EQ(depth.worst->y, 6U);
+  EXPECT_EQ(depth.bounds->min_x, 3U);
+  EXPECT_EQ(depth.bounds->min_y, 3U);
+  EXPECT_EQ(depth.bounds->max_x, 4U);
+  EXPECT_EQ(depth.bounds->max_y, 6U);
+}
+
+}  // namespace
+}  // namespace fillrule::judge

@@ -1,0 +1,219 @@
+#include "harness/judge/possibilities.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "harness/judge/watertight.h"
+
+namespace fillrule::judge {
+namespace {
+
+using exact::Coverage;
+using exact::Entry;
+using exact::Primitive;
+
+void add_unique(std::vector<Outcome>& outcomes, const Outcome& outcome) {
+  for (Outcome& known : outcomes) {
+    if (known.owner != outcome.owner || known.depth_writer != outcome.depth_writer) continue;
+    known.owner_certain = known.owner_certain && outcome.owner_certain;
+    known.depth_certain = known.depth_certain && outcome.depth_certain;
+    return;
+  }
+  outcomes.push_back(outcome);
+}
+
+bool has_values(const Primitive& primitive) {
+  return !primitive.thin && !primitive.triangle.undefined();
+}
+
+// Drawn from the same bits with the same state, two primitives have the same depth to the bit.
+bool same_geometry(const Case& test_case, const Primitive& a, const Primitive& b) {
+  const VkViewport& va = test_case.draws[a.draw].state.viewport;
+  const VkViewport& vb = test_case.draws[b.draw].state.viewport;
+  return a.triangle.vertices() == b.triangle.vertices() && va.x == vb.x && va.y == vb.y && va.width == vb.width &&
+         va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
+}
+
+}  // namespace
+
+ValueCache::ValueCache(const Case& test_case, const exact::Expectation& expectation)
+    : case_(test_case), expectation_(expectation), values_(expectation.primitives().size()) {
+  for (const Varying& varying : test_case.varyings) {
+    interpolation_.insert(interpolation_.end(), varying.components, varying.interpolation);
+  }
+}
+
+ValueCache::Values& ValueCache::at(uint32_t number) {
+  std::unique_ptr<Values>& slot = values_[number];
+  if (slot) return *slot;
+  const Primitive& primitive = expectation_.primitives()[number];
+  slot = std::make_unique<Values>(Values{exact::TriangleValues(primitive.triangle, primitive.latitude), {}});
+  const Draw& draw = case_.draws[primitive.draw];
+  const size_t stride = interpolation_.size();
+  for (size_t c = 0; c < stride; ++c) {
+    std::array<float, 3> q{};
+    for (size_t i = 0; i < 3; ++i) q[i] = draw.varyings[primitive.vertices[i] * stride + c];
+    slot->components.push_back(slot->triangle.component(interpolation_[c], q, primitive.provoking));
+  }
+  return *slot;
+}
+
+const exact::TriangleValues& ValueCache::values(uint32_t primitive) {
+  return at(primitive).triangle;
+}
+
+const exact::TriangleValues::Component& ValueCache::component(uint32_t primitive, uint32_t component) {
+  return at(primitive).components[component];
+}
+
+Replay::Replay(const Case& test_case, const exact::Expectation& expectation, ValueCache& values,
+               uint32_t subpixel_bits, bool top_left)
+    : case_(test_case),
+      expectation_(expectation),
+      values_(values),
+      subpixel_bits_(subpixel_bits),
+      top_left_(top_left),
+      on_grid_(expectation.primitives().size(), 0) {}
+
+const Possibilities& Replay::at(size_t index) {
+  possibilities_.least_hits = 0;
+  possibilities_.most_hits = 0;
+  possibilities_.in_doubt = false;
+  possibilities_.undefined = false;
+  possibilities_.outcomes.assign(1, Outcome{.owner_certain = true, .depth_certain = true});
+  expectation_.collect(index, entries_);
+  const double x = static_cast<double>(index % case_.target.width) + 0.5;
+  const double y = static_cast<double>(index / case_.target.width) + 0.5;
+  if (top_left_) resolve_ties(x, y);
+  for (const Entry& entry : entries_) {
+    possibilities_.in_doubt = possibilities_.in_doubt || entry.coverage == Coverage::kMay;
+    possibilities_.undefined =
+        possibilities_.undefined || expectation_.primitives()[entry.primitive].triangle.undefined();
+  }
+  if (!possibilities_.in_doubt) {
+    replay(0, entries_.size(), x, y);
+  } else if (!replay_watertight(0, entries_.size(), x, y)) {
+    // Layers drawn one after the other may each be watertight.
+    for (size_t begin = 0, end = 0; begin < entries_.size(); begin = end) {
+      const auto draw_of = [this](size_t i) { return expectation_.primitives()[entries_[i].primitive].draw; };
+      for (end = begin; end < entries_.size() && draw_of(end) == draw_of(begin);) ++end;
+      if (!replay_watertight(begin, end, x, y)) replay(begin, end, x, y);
+    }
+  }
+  return possibilities_;
+}
+
+void Replay::replay(size_t begin, size_t end, double x, double y) {
+  for (size_t i = begin; i < end; ++i) land(entries_[i], entries_[i].coverage == Coverage::kMust, x, y);
+}
+
+// Where the rule says that exactly one of the entries in doubt covers the sample, each of them is tried in turn, and
+// where it says that none does, none is. Returns false where the rule says nothing of the kind.
+bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
+  const std::span<const Entry> entries(entries_.data() + begin, end - begin);
+  const WatertightHits hits = watertight_hits(case_, expectation_, entries, x, y);
+  if (hits.primitives == 0 || hits.hits > 1) return false;
+  const Possibilities before = possibilities_;
+  Possibilities united = before;
+  united.outcomes.clear();
+  const auto replay_with = [&](const Entry* chosen) {
+    possibilities_ = before;
+    for (const Entry& entry : entries) {
+      if (entry.coverage == Coverage::kMust || &entry == chosen) land(entry, true, x, y);
+    }
+    for (const Outcome& outcome : possibilities_.outcomes) add_unique(united.outcomes, outcome);
+    united.least_hits = std::min(united.least_hits, possibilities_.least_hits);
+    united.most_hits = std::max(united.most_hits, possibilities_.most_hits);
+  };
+  united.least_hits = std::numeric_limits<uint32_t>::max();
+  if (hits.hits == 0) replay_with(nullptr);
+  for (const Entry& entry : entries) {
+    if (hits.hits == 1 && entry.coverage == Coverage::kMay) replay_with(&entry);
+  }
+  possibilities_ = std::move(united);
+  return true;
+}
+
+void Replay::resolve_ties(double x, double y) {
+  for (Entry& entry : entries_) {
+    if (entry.coverage == Coverage::kMust || !resolved_by_top_left(entry)) continue;
+    const bool owns = expectation_.primitives()[entry.primitive].triangle.owns(x, y);
+    entry.coverage = owns ? Coverage::kMust : Coverage::kMustNot;
+  }
+  std::erase_if(entries_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
+}
+
+bool Replay::resolved_by_top_left(const Entry& entry) {
+  const exact::Triangle& triangle = expectation_.primitives()[entry.primitive].triangle;
+  if ((entry.doubt & ~exact::kDoubtEdges) != 0 || triangle.undefined() || !triangle.inside_volume()) return false;
+  uint8_t& known = on_grid_[entry.primitive];
+  if (known == 0) known = triangle.on_grid(subpixel_bits_) ? 2 : 1;
+  return known == 2;
+}
+
+void Replay::land(const Entry& entry, bool must, double x, double y) {
+  const Primitive& primitive = expectation_.primitives()[entry.primitive];
+  const RasterState& state = case_.draws[primitive.draw].state;
+  const bool certain = entry.coverage == Coverage::kMust && has_values(primitive);
+  bool lands_always = must;
+  bool lands_ever = false;
+  before_.swap(possibilities_.outcomes);
+  possibilities_.outcomes.clear();
+  for (const Outcome& before : before_) {
+    const DepthResult result =
+        state.depth_test ? depth_test(entry.primitive, before.depth_writer, x, y) : DepthResult::kPasses;
+    const bool lands = result != DepthResult::kFails;
+    lands_ever = lands_ever || lands;
+    lands_always = lands_always && result == DepthResult::kPasses;
+    if (!must || result != DepthResult::kPasses) add_unique(possibilities_.outcomes, before);
+    if (!lands) continue;
+    Outcome after = before;
+    after.owner = entry.primitive;
+    after.owner_certain = certain;
+    if (state.depth_test && state.depth_write) {
+      after.depth_writer = entry.primitive;
+      after.depth_certain = certain;
+    }
+    add_unique(possibilities_.outcomes, after);
+  }
+  possibilities_.least_hits += lands_always ? 1 : 0;
+  possibilities_.most_hits += lands_ever ? 1 : 0;
+}
+
+exact::Expected Replay::depth_of(uint32_t primitive, double x, double y) {
+  if (primitive == kNoOwner) return {.value = double{case_.target.clear_depth}, .tolerance = 0};
+  if (!has_values(expectation_.primitives()[primitive])) {
+    return {.value = 0, .tolerance = std::numeric_limits<double>::infinity()};
+  }
+  return values_.values(primitive).depth(x, y);
+}
+
+Replay::DepthResult Replay::depth_test(uint32_t primitive, uint32_t stored, double x, double y) {
+  const VkCompareOp op = case_.draws[expectation_.primitives()[primitive].draw].state.depth_compare;
+  if (op == VK_COMPARE_OP_ALWAYS) return DepthResult::kPasses;
+  if (op == VK_COMPARE_OP_NEVER) return DepthResult::kFails;
+  bool may_be_less = false;
+  bool may_be_greater = false;
+  bool may_be_equal = true;
+  if (stored == kNoOwner ||
+      !same_geometry(case_, expectation_.primitives()[primitive], expectation_.primitives()[stored])) {
+    const exact::Expected incoming = depth_of(primitive, x, y);
+    const exact::Expected present = depth_of(stored, x, y);
+    const double gap = incoming.value - present.value;
+    const double tolerance = incoming.tolerance + present.tolerance;
+    may_be_less = gap < tolerance;
+    may_be_greater = gap > -tolerance;
+    may_be_equal = std::abs(gap) <= tolerance;
+  }
+  const auto bit = static_cast<uint32_t>(op);  // less 1, equal 2, greater 4: VkCompareOp is made of them
+  const bool passes_ever =
+      (may_be_less && (bit & 1U) != 0) || (may_be_equal && (bit & 2U) != 0) || (may_be_greater && (bit & 4U) != 0);
+  const bool fails_ever =
+      (may_be_less && (bit & 1U) == 0) || (may_be_equal && (bit & 2U) == 0) || (may_be_greater && (bit & 4U) == 0);
+  if (passes_ever && fails_ever) return DepthResult::kEither;
+  return passes_ever ? DepthResult::kPasses : DepthResult::kFails;
+}
+
+}  // namespace fillrule::judge

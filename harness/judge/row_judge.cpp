@@ -1,0 +1,140 @@
+#include "harness/judge/row_judge.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+
+namespace fillrule::judge {
+namespace {
+
+// Counts with integers as wide as the doubles, so that the loop vectorises. NaN is outside.
+bool all_within(const float* values, std::span<const double> expected, std::span<const double> least) {
+  int64_t outside = 0;
+  for (size_t i = 0; i < expected.size(); ++i) {
+    outside += std::abs(static_cast<double>(values[i]) - expected[i]) <= least[i] ? 0 : 1;
+  }
+  return outside == 0;
+}
+
+bool all_equal(const float* values, size_t size, float expected) {
+  uint32_t difference = 0;
+  for (size_t i = 0; i < size; ++i) {
+    difference |= std::bit_cast<uint32_t>(values[i]) ^ std::bit_cast<uint32_t>(expected);
+  }
+  return difference == 0;
+}
+
+// True if `op` holds for every depth in [low, high] against the stored one.
+bool passes_throughout(VkCompareOp op, double low, double high, double stored) {
+  switch (op) {
+    case VK_COMPARE_OP_ALWAYS:
+      return true;
+    case VK_COMPARE_OP_LESS:
+      return high < stored;
+    case VK_COMPARE_OP_LESS_OR_EQUAL:
+      return high <= stored;
+    case VK_COMPARE_OP_GREATER:
+      return low > stored;
+    case VK_COMPARE_OP_GREATER_OR_EQUAL:
+      return low >= stored;
+    case VK_COMPARE_OP_NOT_EQUAL:
+      return high < stored || low > stored;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+RowJudge::Landing RowJudge::landing_of(uint32_t number) {
+  if (landing_.empty()) landing_.assign(expectation_.primitives().size(), Landing::kUnknown);
+  Landing& landing = landing_[number];
+  if (landing != Landing::kUnknown) return landing;
+  landing = Landing::kUncertain;
+  const exact::Primitive& primitive = expectation_.primitives()[number];
+  const RasterState& state = case_.draws[primitive.draw].state;
+  if (primitive.thin || primitive.triangle.undefined() || primitive.facing_in_doubt) return landing;
+  if (!state.depth_test) return landing = Landing::kCertain;
+  if (!primitive.triangle.in_front()) return landing;
+  const auto range = values_.values(number).depth_range();
+  // Depths are clamped before they are compared.
+  const double low = std::clamp(range.low, 0.0, 1.0);
+  const double high = std::clamp(range.high, 0.0, 1.0);
+  if (passes_throughout(state.depth_compare, low, high, double{case_.target.clear_depth}))
+    landing = Landing::kCertain;
+  return landing;
+}
+
+bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
+  if (sole != exact::kNothing && landing_of(sole) != Landing::kCertain) return false;
+  sole_ = sole;
+  begin_ = begin;
+  size_ = end - begin;
+  x_ = static_cast<double>(begin % planes_.width) + 0.5;
+  y_ = static_cast<double>(begin / planes_.width) + 0.5;
+  has_w_ = false;
+  w_.resize(size_);
+  expected_.resize(size_);
+  least_.resize(size_);
+  return true;
+}
+
+bool RowJudge::integers_right() const {
+  const bool nothing = sole_ == exact::kNothing;
+  const uint32_t hits = nothing ? 0 : 1;
+  const uint32_t owner = nothing ? kNoOwner : sole_;
+  const uint32_t front_facing = !nothing && expectation_.primitives()[sole_].front_facing ? 1 : 0;
+  uint32_t difference = 0;
+  for (size_t i = begin_; i < begin_ + size_; ++i) {
+    difference |= (planes_.hits[i] ^ hits) | (planes_.owner[i] ^ owner) | (planes_.front_facing[i] ^ front_facing);
+  }
+  return difference == 0;
+}
+
+bool RowJudge::within(PlaneKind kind, uint32_t component) {
+  const float* const row = values(kind, component);
+  if (kind == PlaneKind::kDepth) {
+    const RasterState* const state =
+        sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.primitives()[sole_].draw].state;
+    if (state == nullptr || !state->depth_test || !state->depth_write) {
+      std::fill(expected_.begin(), expected_.end(), double{case_.target.clear_depth});
+      return all_equal(row, size_, case_.target.clear_depth);
+    }
+    values_.values(sole_).depth_row(x_, y_, expected_, least_);
+    return all_within(row, expected_, least_);
+  }
+  if (sole_ == exact::kNothing) {
+    std::fill(expected_.begin(), expected_.end(), 0.0);
+    return all_equal(row, size_, 0);
+  }
+  const exact::TriangleValues::Component& prepared = values_.component(sole_, component);
+  if (prepared.interpolation == Interpolation::kFlat) {
+    std::fill(expected_.begin(), expected_.end(), double{prepared.provoking});
+    return all_equal(row, size_, prepared.provoking);
+  }
+  if (!prepared.judged) return false;
+  const exact::TriangleValues& triangle = values_.values(sole_);
+  if (!has_w_ && prepared.interpolation == Interpolation::kSmooth) {
+    triangle.w_row(x_, y_, w_);
+    has_w_ = true;
+  }
+  triangle.varying_row(prepared, x_, y_, w_, expected_, least_);
+  return all_within(row, expected_, least_);
+}
+
+void RowJudge::mark_equal(PlaneKind kind, uint32_t component, const float* other, std::span<uint8_t> equal) const {
+  const float* const row = values(kind, component);
+  for (size_t i = 0; i < size_; ++i) {
+    const float right = other != nullptr ? other[i] : static_cast<float>(expected_[i]);
+    const bool same =
+        other != nullptr ? std::bit_cast<uint32_t>(row[i]) == std::bit_cast<uint32_t>(right) : row[i] == right;
+    equal[i] = equal[i] != 0 && same ? 1 : 0;
+  }
+}
+
+const float* RowJudge::values(PlaneKind kind, uint32_t component) const {
+  return (kind == PlaneKind::kDepth ? planes_.depth.data() : planes_.varyings[component].data()) + begin_;
+}
+
+}  // namespace fillrule::judge

@@ -1,0 +1,90 @@
+#include "harness/programs/varyings.h"
+
+#include <fmt/format.h>
+
+namespace fillrule::programs {
+namespace {
+
+Result<void> check_target(const Target& target) {
+  if (target.samples != VK_SAMPLE_COUNT_1_BIT) {
+    return failure(fmt::format("the renderer cannot draw {} samples a pixel", static_cast<int>(target.samples)),
+                   "samples = 1");
+  }
+  if (target.depth_format != VK_FORMAT_D32_SFLOAT && target.depth_format != VK_FORMAT_UNDEFINED) {
+    return failure(fmt::format("the renderer cannot draw depth format {}", static_cast<int>(target.depth_format)),
+                   "D32_SFLOAT, or none");
+  }
+  if (target.width == 0 || target.width > kMaxTargetSize || target.height == 0 || target.height > kMaxTargetSize) {
+    return failure(fmt::format("a target of {} x {} pixels", target.width, target.height),
+                   fmt::format("1 to {} each", kMaxTargetSize));
+  }
+  return {};
+}
+
+Result<void> check_varyings(const Case& drawn_case) {
+  const uint32_t components = component_count(drawn_case.varyings);
+  if (components > kMaxVaryings * kMaxVaryingComponents) {
+    return failure(fmt::format("{} components of varyings", components),
+                   fmt::format("at most {}", kMaxVaryings * kMaxVaryingComponents));
+  }
+  for (const Draw& draw : drawn_case.draws) {
+    if (draw.varyings.size() != draw.positions.size() * components) {
+      return failure(fmt::format("{} values of varyings for {} vertices of {} components", draw.varyings.size(),
+                                 draw.positions.size(), components));
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Draw& draw, uint32_t first_primitive,
+                                 Planes& planes)
+    : draw_(&draw),
+      first_primitive_(first_primitive),
+      width_(planes.width),
+      hits_(planes.hits.data()),
+      owner_(planes.owner.data()),
+      front_facing_(planes.front_facing.data()),
+      component_count_(0) {
+  for (const Varying& varying : varyings) {
+    for (uint32_t i = 0; i < varying.components; ++i) {
+      components_[component_count_] = {planes.varyings[component_count_].data(), varying.interpolation};
+      ++component_count_;
+    }
+  }
+}
+
+Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& options) {
+  if (const Result<void> checked =
+          check_target(drawn_case.target).and_then([&] { return check_varyings(drawn_case); });
+      !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const Target& target = drawn_case.target;
+  Planes planes =
+      Planes::cleared(target.width, target.height, 1, component_count(drawn_case.varyings), target.clear_depth);
+  if (target.depth_format == VK_FORMAT_UNDEFINED) {
+    planes.depth.clear();
+  }
+  uint32_t first_primitive = 0;
+  for (const Draw& draw : drawn_case.draws) {
+    const VaryingsProgram program(drawn_case.varyings, draw, first_primitive, planes);
+    const renderer::DrawInput input{
+        .target_width = target.width,
+        .target_height = target.height,
+        .topology = draw.topology,
+        .state = draw.state,
+        .vertex_count = static_cast<uint32_t>(draw.positions.size()),
+        .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
+        .depth = {planes.depth},
+    };
+    if (const Result<void> drawn = renderer::draw(input, program, options); !drawn) {
+      return tl::unexpected(drawn.error());
+    }
+    first_primitive += primitive_count(draw);
+  }
+  return planes;
+}
+
+}  // namespace fillrule::programs

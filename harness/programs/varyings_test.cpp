@@ -1,0 +1,94 @@
+#include "harness/programs/varyings.h"
+
+#include <gmock/gmock.h>
+
+#include <bit>
+
+namespace fillrule::programs {
+namespace {
+
+// Two draws of one triangle each over the whole of an 8x8 target, the second nearer.
+Case two_draws() {
+  Case drawn_case;
+  drawn_case.target.width = 8;
+  drawn_case.target.height = 8;
+  drawn_case.varyings = {{"colour", 2, Interpolation::kSmooth},
+                         {"linear", 1, Interpolation::kNoperspective},
+                         {"id", 1, Interpolation::kFlat}};
+  Draw draw;
+  draw.state.viewport = {0, 0, 8, 8, 0, 1};
+  draw.state.scissor = {{0, 0}, {8, 8}};
+  draw.state.depth_test = true;
+  // x from 0 to 16 px at w 1 and 2: 1/w = 1 - x/32.
+  draw.positions = {{-1, -1, 0.5F, 1}, {6, -2, 1, 2}, {-1, 3, 0.5F, 1}};
+  draw.varyings = {0, 5, 0, std::bit_cast<float>(0x7FC00001U), 1, 5, 1, 0, 0, 5, 0, 0};
+  drawn_case.draws = {draw, draw};
+  for (ClipPosition& position : drawn_case.draws[1].positions) {
+    position[2] /= 2;
+  }
+  return drawn_case;
+}
+
+TEST(DrawCase, WritesEveryPlaneOfTheOutputContract) {
+  const Result<Planes> planes = draw_case(two_draws(), {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_THAT(planes->hits, ::testing::Each(2));
+  EXPECT_THAT(planes->owner, ::testing::Each(1));
+  EXPECT_THAT(planes->front_facing, ::testing::Each(0));
+  EXPECT_THAT(planes->depth, ::testing::Each(0.25F));
+  ASSERT_EQ(planes->varyings.size(), 4U);
+  EXPECT_THAT(planes->varyings[1], ::testing::Each(5.0F));
+  for (uint32_t x = 0; x < 8; ++x) {
+    const double window_fraction = (x + 0.5) / 16;
+    EXPECT_FLOAT_EQ(planes->varyings[0][x], static_cast<float>(window_fraction / 2 / (1 - window_fraction / 2)));
+    EXPECT_FLOAT_EQ(planes->varyings[2][x], static_cast<float>(window_fraction));
+    EXPECT_EQ(std::bit_cast<uint32_t>(planes->varyings[3][x]), 0x7FC00001U);
+  }
+}
+
+TEST(DrawCase, ClearedWhereNothingLands) {
+  Case drawn_case = two_draws();
+  drawn_case.target.clear_depth = 0.125F;
+  const Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_THAT(planes->hits, ::testing::Each(0));
+  EXPECT_THAT(planes->owner, ::testing::Each(kNoOwner));
+  EXPECT_THAT(planes->depth, ::testing::Each(0.125F));
+  EXPECT_THAT(planes->varyings[1], ::testing::Each(0.0F));
+}
+
+TEST(DrawCase, WithoutADepthAttachmentThereIsNoDepthPlane) {
+  Case drawn_case = two_draws();
+  drawn_case.target.depth_format = VK_FORMAT_UNDEFINED;
+  const Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_THAT(planes->depth, ::testing::IsEmpty());
+  EXPECT_THAT(planes->hits, ::testing::Each(2));
+}
+
+TEST(DrawCase, OwnersCountOverAllDrawsWithIndices) {
+  Case drawn_case = two_draws();
+  drawn_case.draws[0].indices = {{0, 1, 2, 2, 1, 0, 0}};
+  const Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_THAT(planes->owner, ::testing::Each(2));
+}
+
+TEST(DrawCase, RefusesWhatItCannotDraw) {
+  const auto error_of = [](const auto& change) {
+    Case drawn_case = two_draws();
+    change(drawn_case);
+    const Result<Planes> planes = draw_case(drawn_case, {});
+    return planes ? std::string() : planes.error().what;
+  };
+  using ::testing::HasSubstr;
+  EXPECT_THAT(error_of([](Case& c) { c.target.samples = VK_SAMPLE_COUNT_4_BIT; }), HasSubstr("4 samples"));
+  EXPECT_THAT(error_of([](Case& c) { c.target.depth_format = VK_FORMAT_D16_UNORM; }), HasSubstr("depth format"));
+  EXPECT_THAT(error_of([](Case& c) { c.target.width = 0; }), HasSubstr("0 x 8"));
+  EXPECT_THAT(error_of([](Case& c) { c.draws[1].varyings.pop_back(); }), HasSubstr("11 values"));
+  EXPECT_THAT(error_of([](Case& c) { c.draws[1].indices = {{0, 1, 7}}; }), HasSubstr("index 7"));
+  EXPECT_THAT(error_of([](Case& c) { c.varyings[0].components = 100; }), HasSubstr("102 components"));
+}
+
+}  // namespace
+}  // namespace fillrule::programs

@@ -1,0 +1,106 @@
+#include "harness/report/json.h"
+
+#include <cmath>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "harness/report/names.h"
+
+namespace fillrule::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// JSON has no NaN and no infinity: those become text.
+Json number(double value) {
+  if (std::isfinite(value)) return value;
+  if (std::isnan(value)) return "nan";
+  return value > 0 ? "inf" : "-inf";
+}
+
+Json record_json(const judge::SampleRecord& record) {
+  Json json{{"x", record.x},
+            {"y", record.y},
+            {"sample", record.sample},
+            {"component", record.component},
+            {"verdict", name_of(record.verdict)},
+            {"candidate", number(record.candidate)},
+            {"expected", number(record.expected)},
+            {"tolerance", number(record.tolerance)}};
+  if (record.reference) json["reference"] = number(*record.reference);
+  return json;
+}
+
+Json plane_json(const judge::PlaneVerdict& plane) {
+  Json json{{"identical", plane.count(judge::Verdict::kIdentical)},
+            {"permitted", plane.count(judge::Verdict::kPermitted)},
+            {"imprecise", plane.count(judge::Verdict::kImprecise)},
+            {"candidate_faults", plane.candidate_faults()},
+            {"reference_faults", plane.reference_faults()}};
+  if (plane.bounds) {
+    json["bounds"] = {plane.bounds->min_x, plane.bounds->min_y, plane.bounds->max_x, plane.bounds->max_y};
+  }
+  if (plane.first) json["first"] = record_json(*plane.first);
+  if (plane.worst) json["worst"] = record_json(*plane.worst);
+  return json;
+}
+
+Json case_json(const run::CaseResult& result) {
+  Json planes = Json::object();
+  for (const judge::PlaneVerdict& plane : result.verdict.planes) planes[plane.name] = plane_json(plane);
+  Json json{{"name", result.name},
+            {"file", result.file},
+            {"status", name_of(result.status)},
+            {"seconds", result.seconds},
+            {"samples", result.verdict.samples},
+            {"covered_samples", result.verdict.covered_samples},
+            {"may_samples", result.verdict.may_samples},
+            {"undefined_samples", result.verdict.undefined_samples},
+            {"planes", std::move(planes)}};
+  if (!result.message.empty()) json["message"] = result.message;
+  return json;
+}
+
+}  // namespace
+
+std::string to_json(const run::RunResult& result) {
+  const run::Summary& summary = result.summary;
+  Json json{{"summary",
+             {{"cases", summary.cases},
+              {"passed", summary.passed},
+              {"failed", summary.failed},
+              {"skipped", summary.skipped},
+              {"identical", summary.identical},
+              {"permitted", summary.permitted},
+              {"imprecise", summary.imprecise},
+              {"candidate_faults", summary.candidate_faults},
+              {"reference_faults", summary.reference_faults},
+              {"wall_seconds", summary.wall_seconds}}},
+            {"candidate", {{"name", result.candidate}, {"subpixel_bits", result.candidate_subpixel_bits}}},
+            {"reference",
+             {{"driver", result.reference.driver},
+              {"name", result.reference.name},
+              {"version", result.reference.version},
+              {"subpixel_bits", result.reference.subpixel_bits}}},
+            {"timing",
+             {{"reference_seconds", result.timing.reference_seconds},
+              {"candidate_seconds", result.timing.candidate_seconds},
+              {"judge_seconds", result.timing.judge_seconds}}}};
+  if (result.timing.reference_alone_seconds) {
+    json["timing"]["reference_alone_seconds"] = *result.timing.reference_alone_seconds;
+  }
+  json["cases"] = Json::array();
+  for (const run::CaseResult& one : result.cases) json["cases"].push_back(case_json(one));
+  // Names come from file paths, which need not be UTF-8.
+  return json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+Result<void> write_text(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) return tl::unexpected(Error{.file = path, .what = "cannot be written"});
+  return {};
+}
+
+}  // namespace fillrule::report

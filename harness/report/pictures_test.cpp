@@ -1,0 +1,96 @@
+#include "harness/report/pictures.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <limits>
+
+namespace fillrule::report {
+namespace {
+
+class PicturesTest : public testing::Test {
+ protected:
+  void SetUp() override { std::filesystem::remove_all(folder_); }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::string folder_ = testing::TempDir() + "fillrule_pictures";
+  Case case_{.name = "a/b[x=1]", .target = {.width = 4, .height = 2}, .varyings = {{.name = "uv", .components = 2}}};
+};
+
+run::Drawing drawing(const Case& test_case) {
+  run::Drawing result;
+  result.candidate = Planes::cleared(4, 2, 1, 2, 1.0F);
+  result.candidate.hits[1] = 1;
+  result.candidate.owner[1] = 0;
+  result.candidate.depth[1] = 0.123456789F;
+  result.candidate.varyings[0][1] = std::numeric_limits<float>::quiet_NaN();
+  result.reference = result.candidate;
+  result.verdict.samples = 8;
+  judge::PlaneVerdict plane{.name = "coverage"};
+  plane.map.assign(8, judge::Verdict::kIdentical);
+  plane.map[6] = judge::Verdict::kCandidateFault;
+  result.verdict.planes.push_back(plane);
+  EXPECT_EQ(test_case.target.width, 4U);
+  return result;
+}
+
+TEST_F(PicturesTest, OnePngSideBySideAndOneExrForEachParty) {
+  const auto paths = write_pictures(folder_, case_, drawing(case_));
+  ASSERT_TRUE(paths) << to_string(paths.error());
+  ASSERT_EQ(paths->size(), 3U);
+  for (const std::string& path : *paths) EXPECT_TRUE(std::filesystem::exists(path)) << path;
+
+  const auto png = OIIO::ImageInput::open(paths->front());
+  ASSERT_TRUE(png);
+  const uint32_t scale = 384 / 4;
+  EXPECT_EQ(png->spec().width, static_cast<int>(3 * 4 * scale + 4 * 4));
+  EXPECT_EQ(png->spec().height, static_cast<int>(2 * scale + 2 * 4));
+  std::vector<uint8_t> pixels(static_cast<size_t>(png->spec().width) * static_cast<size_t>(png->spec().height) * 3);
+  ASSERT_TRUE(png->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, pixels.data()));
+  const auto pixel = [&](size_t panel, size_t x, size_t y) {
+    const size_t column = 4 + panel * (4 * scale + 4) + x * scale + scale / 2;
+    const size_t at = ((4 + y * scale + scale / 2) * static_cast<size_t>(png->spec().width) + column) * 3;
+    return std::array{pixels[at], pixels[at + 1], pixels[at + 2]};
+  };
+  EXPECT_EQ(pixel(0, 1, 0), (std::array<uint8_t, 3>{255, 0, 255}));  // NaN has a colour of its own
+  EXPECT_EQ(pixel(1, 0, 0), pixel(0, 0, 0));
+  EXPECT_EQ(pixel(2, 2, 1), (std::array<uint8_t, 3>{230, 97, 0}));  // the candidate's fault
+  EXPECT_NE(pixel(2, 1, 1), pixel(2, 2, 1));
+}
+
+TEST_F(PicturesTest, TheExrHoldsEveryPlaneUnquantised) {
+  const auto paths = write_pictures(folder_, case_, drawing(case_));
+  ASSERT_TRUE(paths);
+  const auto exr = OIIO::ImageInput::open((*paths)[1]);
+  ASSERT_TRUE(exr);
+  const auto& names = exr->spec().channelnames;
+  std::vector<float> data(8 * names.size());
+  ASSERT_TRUE(exr->read_image(0, 0, 0, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT, data.data()));
+  const auto value = [&](const std::string& channel, size_t pixel) {
+    const auto found = std::find(names.begin(), names.end(), channel);
+    EXPECT_NE(found, names.end()) << channel;
+    return data[pixel * names.size() + static_cast<size_t>(found - names.begin())];
+  };
+  EXPECT_EQ(value("depth", 1), 0.123456789F);
+  EXPECT_EQ(value("coverage", 1), 1.0F);
+  EXPECT_EQ(value("owner", 0), -1.0F);
+  EXPECT_TRUE(std::isnan(value("uv.x", 1)));
+}
+
+TEST_F(PicturesTest, AFolderThatCannotBeMadeIsAnError) {
+  const auto paths = write_pictures("/proc/nowhere", case_, drawing(case_));
+  ASSERT_FALSE(paths);
+  EXPECT_EQ(paths.error().file, "/proc/nowhere");
+}
+
+TEST(FileStem, KeepsPlainNamesAndTellsOthersApart) {
+  EXPECT_EQ(file_stem("tie"), "tie");
+  EXPECT_NE(file_stem("a/b"), file_stem("a_b"));
+  EXPECT_EQ(file_stem("../../etc/passwd").find('/'), std::string::npos);
+  EXPECT_LT(file_stem(std::string(5000, 'x')).size(), 200U);
+}
+
+}  // namespace
+}  // namespace fillrule::report

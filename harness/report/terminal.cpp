@@ -1,0 +1,121 @@
+#include "harness/report/terminal.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "harness/report/names.h"
+
+namespace fillrule::report {
+namespace {
+
+using judge::PlaneKind;
+using judge::PlaneVerdict;
+using judge::SampleRecord;
+using judge::Verdict;
+
+constexpr std::array kVerdictsBySeverity{Verdict::kBothFault, Verdict::kCandidateFault, Verdict::kReferenceFault,
+                                         Verdict::kImprecise, Verdict::kPermitted,      Verdict::kIdentical};
+
+// kNoOwner, as the number that the owner plane's records hold.
+constexpr double kNoOwnerNumber = std::numeric_limits<uint32_t>::max();
+
+std::string value_text(PlaneKind kind, double value) {
+  if (kind == PlaneKind::kOwner && value == kNoOwnerNumber) return "none";
+  if (kind == PlaneKind::kDepth || kind == PlaneKind::kVarying) return fmt::format("{:.9g}", value);
+  return fmt::format("{}", value);
+}
+
+std::string sample_text(const PlaneVerdict& plane, const SampleRecord& sample, std::string_view label) {
+  std::string text = fmt::format("      {} ({}, {})", label, sample.x, sample.y);
+  if (plane.components > 1) text += fmt::format(" .{}", "xyzw"[sample.component]);
+  text += fmt::format(": {}, candidate {}", name_of(sample.verdict), value_text(plane.kind, sample.candidate));
+  if (sample.reference) text += fmt::format(", reference {}", value_text(plane.kind, *sample.reference));
+  if (!std::isnan(sample.expected)) text += fmt::format(", exact {}", value_text(plane.kind, sample.expected));
+  if (sample.tolerance > 0 && std::isfinite(sample.tolerance)) text += fmt::format(" +- {:.3g}", sample.tolerance);
+  return text + "\n";
+}
+
+std::string plane_text(const PlaneVerdict& plane) {
+  std::string text = fmt::format("    {}:", plane.name);
+  std::string_view separator = " ";
+  for (const Verdict verdict : kVerdictsBySeverity) {
+    if (plane.count(verdict) == 0) continue;
+    text += fmt::format("{}{} {}", separator, plane.count(verdict), name_of(verdict));
+    separator = ", ";
+  }
+  if (plane.bounds) {
+    text += fmt::format("; within ({}, {}) to ({}, {})", plane.bounds->min_x, plane.bounds->min_y,
+                        plane.bounds->max_x, plane.bounds->max_y);
+  }
+  text += "\n";
+  if (plane.first) text += sample_text(plane, *plane.first, "first");
+  const bool another = plane.worst && (plane.worst->x != plane.first->x || plane.worst->y != plane.first->y ||
+                                       plane.worst->sample != plane.first->sample);
+  if (another) text += sample_text(plane, *plane.worst, "worst");
+  return text;
+}
+
+bool is_identical(const PlaneVerdict& plane) {
+  const auto all = std::accumulate(plane.counts.begin(), plane.counts.end(), uint64_t{0});
+  return plane.count(Verdict::kIdentical) == all;
+}
+
+}  // namespace
+
+std::string case_text(const run::CaseResult& result) {
+  std::string status(name_of(result.status));
+  std::transform(status.begin(), status.end(), status.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  std::string text = fmt::format("  {:<7} {}\n", status, result.name);
+  if (!result.message.empty()) text += fmt::format("    {}\n", result.message);
+  for (const PlaneVerdict& plane : result.verdict.planes) {
+    if (is_identical(plane)) continue;
+    text += plane_text(plane);
+  }
+  if (result.status == run::Status::kFailed) text += fmt::format("    see it: fillrule show '{}'\n", result.name);
+  return text;
+}
+
+std::string summary_text(const run::RunResult& result) {
+  const run::Summary& summary = result.summary;
+  std::string text =
+      fmt::format("candidate {} ({} subpixel bits) against ", result.candidate, result.candidate_subpixel_bits);
+  if (result.reference.name.empty()) {
+    text += "the oracle alone\n";
+  } else {
+    text += fmt::format("{} ({}, {}, {} subpixel bits) and the oracle\n", result.reference.driver,
+                        result.reference.name, result.reference.version, result.reference.subpixel_bits);
+  }
+  text += fmt::format("{} cases: {} passed, {} failed, {} skipped, in {:.2f} s\n", summary.cases, summary.passed,
+                      summary.failed, summary.skipped, summary.wall_seconds);
+  text += fmt::format(
+      "samples over all planes: {} identical, {} permitted, {} imprecise, {} candidate faults, {} reference faults\n",
+      summary.identical, summary.permitted, summary.imprecise, summary.candidate_faults, summary.reference_faults);
+  return text;
+}
+
+std::string timing_text(const run::RunResult& result) {
+  const run::Timing& timing = result.timing;
+  const double wall = result.summary.wall_seconds;
+  const auto cases = static_cast<double>(result.summary.cases);
+  std::string text = fmt::format(
+      "timing: {:.3f} s in all, {:.0f} cases a second\n"
+      "  reference (drawing and reading back)  {:.3f} s\n"
+      "  candidate (all threads)               {:.3f} s\n"
+      "  oracle and judge (all threads)        {:.3f} s\n",
+      wall, wall > 0 ? cases / wall : 0, timing.reference_seconds, timing.candidate_seconds, timing.judge_seconds);
+  if (timing.reference_alone_seconds) {
+    text += fmt::format(
+        "  the reference alone, nothing else going on (median of 3): {:.3f} s; the run took {:.2f} times that\n",
+        *timing.reference_alone_seconds, wall / *timing.reference_alone_seconds);
+  }
+  return text;
+}
+
+}  // namespace fillrule::report

@@ -1,0 +1,90 @@
+#include "harness/report/terminal.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace fillrule::report {
+namespace {
+
+TEST(Terminal, AFailedCaseShowsCountsBoxFirstAndWorstSample) {
+  judge::PlaneVerdict coverage{.name = "coverage", .kind = judge::PlaneKind::kCoverage};
+  coverage.counts = {4096, 0, 0, 0, 0, 0};
+  judge::PlaneVerdict owner{.name = "owner", .kind = judge::PlaneKind::kOwner};
+  owner.counts = {4095, 0, 0, 0, 1, 0};
+  owner.bounds = judge::Bounds{.min_x = 1, .min_y = 2, .max_x = 1, .max_y = 2};
+  owner.first = judge::SampleRecord{.x = 1,
+                                    .y = 2,
+                                    .verdict = judge::Verdict::kCandidateFault,
+                                    .candidate = 4294967295.0,
+                                    .reference = 3,
+                                    .expected = 3};
+  owner.worst = owner.first;
+  judge::PlaneVerdict uv{.name = "uv", .kind = judge::PlaneKind::kVarying, .components = 2};
+  uv.counts = {4000, 90, 4, 1, 1, 0};
+  uv.bounds = judge::Bounds{.min_x = 3, .min_y = 4, .max_x = 9, .max_y = 8};
+  uv.first = judge::SampleRecord{.x = 3,
+                                 .y = 4,
+                                 .component = 1,
+                                 .verdict = judge::Verdict::kCandidateFault,
+                                 .candidate = 0.25,
+                                 .reference = 0.5,
+                                 .expected = 0.5,
+                                 .tolerance = 1.5e-7};
+  uv.worst = uv.first;
+  uv.worst->x = 9;
+  uv.worst->candidate = std::numeric_limits<double>::quiet_NaN();
+  run::CaseResult result{.name = "clipping/near[angle=30]", .status = run::Status::kFailed};
+  result.verdict.planes = {coverage, owner, uv};
+  EXPECT_EQ(case_text(result),
+            "  FAILED  clipping/near[angle=30]\n"
+            "    owner: 1 candidate fault, 4095 identical; within (1, 2) to (1, 2)\n"
+            "      first (1, 2): candidate fault, candidate none, reference 3, exact 3\n"
+            "    uv: 1 candidate fault, 1 reference fault, 4 imprecise, 90 permitted, 4000 identical; within (3, 4) "
+            "to (9, 8)\n"
+            "      first (3, 4) .y: candidate fault, candidate 0.25, reference 0.5, exact 0.5 +- 1.5e-07\n"
+            "      worst (9, 4) .y: candidate fault, candidate nan, reference 0.5, exact 0.5 +- 1.5e-07\n"
+            "    see it: fillrule show 'clipping/near[angle=30]'\n");
+}
+
+TEST(Terminal, ASkippedCaseGivesTheReason) {
+  EXPECT_EQ(case_text({.name = "a/b", .status = run::Status::kSkipped, .message = "target.size: too large"}),
+            "  SKIPPED a/b\n    target.size: too large\n");
+}
+
+TEST(Terminal, TheSummaryNamesThePartiesAndCounts) {
+  run::RunResult result{
+      .candidate = "renderer",
+      .candidate_subpixel_bits = 8,
+      .reference = {.driver = "lavapipe", .name = "llvmpipe", .version = "Mesa 1", .subpixel_bits = 8},
+      .summary = {.cases = 5,
+                  .passed = 3,
+                  .failed = 1,
+                  .skipped = 1,
+                  .identical = 100,
+                  .permitted = 10,
+                  .imprecise = 2,
+                  .candidate_faults = 1,
+                  .reference_faults = 4,
+                  .wall_seconds = 0.5}};
+  EXPECT_EQ(
+      summary_text(result),
+      "candidate renderer (8 subpixel bits) against lavapipe (llvmpipe, Mesa 1, 8 subpixel bits) and the oracle\n"
+      "5 cases: 3 passed, 1 failed, 1 skipped, in 0.50 s\n"
+      "samples over all planes: 100 identical, 10 permitted, 2 imprecise, 1 candidate faults, 4 reference faults\n");
+  result.reference = {.driver = "none"};
+  EXPECT_EQ(summary_text(result).substr(0, 61), "candidate renderer (8 subpixel bits) against the oracle alone");
+}
+
+TEST(Terminal, TimingTellsTheRatioToTheReferenceAlone) {
+  run::RunResult result;
+  result.summary.cases = 100;
+  result.summary.wall_seconds = 0.5;
+  result.timing.reference_alone_seconds = 0.25;
+  const std::string text = timing_text(result);
+  EXPECT_NE(text.find("200 cases a second"), std::string::npos);
+  EXPECT_NE(text.find("0.250 s; the run took 2.00 times that"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace fillrule::report

@@ -1,0 +1,20 @@
+#include "harness/run/run.h"
+
+namespace fillrule::run {
+
+Summary summarise(const std::vector<CaseResult>& cases, double wall_seconds) {
+  Summary summary{.cases = cases.size(), .wall_seconds = wall_seconds};
+  for (const CaseResult& result : cases) {
+    summary.passed += result.status == Status::kPassed ? 1 : 0;
+    summary.failed += result.status == Status::kFailed ? 1 : 0;
+    summary.skipped += result.status == Status::kSkipped ? 1 : 0;
+    summary.identical += result.verdict.count(judge::Verdict::kIdentical);
+    summary.permitted += result.verdict.count(judge::Verdict::kPermitted);
+    summary.imprecise += result.verdict.count(judge::Verdict::kImprecise);
+    summary.candidate_faults += result.verdict.candidate_faults();
+    summary.reference_faults += result.verdict.reference_faults();
+  }
+  return summary;
+}
+
+}  // namespace fillrule::run

@@ -1,0 +1,69 @@
+// The outcome of running cases: what the terminal, the JSON file and the exit code are made from.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "harness/judge/verdict.h"
+
+namespace fillrule::run {
+
+enum class Status : uint8_t {
+  kPassed,
+  kFailed,   // the candidate is at fault, or could not draw the case, or the reference broke down
+  kSkipped,  // the reference cannot draw the case; `message` tells why
+};
+
+struct CaseResult {
+  std::string name;
+  std::string file;
+  Status status = Status::kPassed;
+  std::string message;  // why a case was skipped, or failed without a verdict
+  double seconds = 0;   // the candidate's drawing and the judging; the reference draws in batches
+  judge::CaseVerdict verdict;
+};
+
+struct Summary {
+  uint64_t cases = 0;
+  uint64_t passed = 0;
+  uint64_t failed = 0;
+  uint64_t skipped = 0;
+  // Samples, summed over all planes of all cases.
+  uint64_t identical = 0;
+  uint64_t permitted = 0;
+  uint64_t imprecise = 0;
+  uint64_t candidate_faults = 0;
+  uint64_t reference_faults = 0;
+  double wall_seconds = 0;
+};
+
+// Where the time went. Threads work side by side: the parts add up to more than the whole.
+struct Timing {
+  double reference_seconds = 0;  // drawing and reading back, during the run
+  double candidate_seconds = 0;  // summed over threads
+  double judge_seconds = 0;      // summed over threads
+  // The same cases drawn and read back by the reference with nothing else going on, the median of three.
+  std::optional<double> reference_alone_seconds;
+};
+
+struct Reference {
+  std::string driver;  // "none" where the candidate was held against the oracle alone
+  std::string name;
+  std::string version;
+  uint32_t subpixel_bits = 0;
+};
+
+struct RunResult {
+  std::string candidate;
+  uint32_t candidate_subpixel_bits = 0;
+  Reference reference;
+  std::vector<CaseResult> cases;
+  Summary summary;
+  Timing timing;
+};
+
+Summary summarise(const std::vector<CaseResult>& cases, double wall_seconds);
+
+}  // namespace fillrule::run

@@ -1,0 +1,108 @@
+#include "harness/run/run.h"
+
+#include <gtest/gtest.h>
+
+#include "cases/format/reader.h"
+#include "harness/run/suite_runner.h"
+
+namespace fillrule::run {
+namespace {
+
+constexpr const char* kTriangles = R"(
+title = "t"
+why = "w"
+spec = "s"
+[target]
+size = [16, 16]
+[varyings]
+uv = "smooth"
+[sweep]
+x = { from = 1, to = 40, step = 1 }
+[[draw]]
+space = "framebuffer"
+positions = [["x / 4", 1], [15, 8], [1, 15]]
+varyings.uv = [[0, 0], [1, 0], [0, 1]]
+)";
+
+std::vector<Case> cases() {
+  const format::CaseFile file = format::parse(kTriangles, "triangles.toml", "run/triangles");
+  EXPECT_TRUE(file.errors.empty());
+  return file.cases;
+}
+
+TEST(Candidate, AnUnknownNameIsAnErrorThatListsTheCandidates) {
+  const auto candidate = make_candidate("painter", {});
+  ASSERT_FALSE(candidate);
+  EXPECT_EQ(candidate.error().what, "there is no candidate 'painter'");
+  EXPECT_EQ(candidate.error().hint, "the candidates are: renderer");
+}
+
+TEST(SuiteRunner, AMissingReferenceIsAnError) {
+  const auto runner = SuiteRunner::create({.reference = "voodoo"});
+  ASSERT_FALSE(runner);
+  EXPECT_NE(runner.error().what.find("voodoo"), std::string::npos);
+}
+
+TEST(SuiteRunner, ResultsAreInTheOrderOfTheCasesForAnyNumberOfJobs) {
+  const std::vector<Case> all = cases();
+  for (const uint32_t jobs : {1U, 3U}) {
+    auto runner = SuiteRunner::create({.jobs = jobs, .validation = true});
+    ASSERT_TRUE(runner);
+    const RunResult result = runner->run(all);
+    ASSERT_EQ(result.cases.size(), all.size());
+    for (size_t i = 0; i < all.size(); ++i) EXPECT_EQ(result.cases[i].name, all[i].name);
+    EXPECT_EQ(result.summary.passed, all.size());
+    EXPECT_EQ(result.summary.candidate_faults, 0U);
+    EXPECT_EQ(result.reference.driver, "lavapipe");
+    EXPECT_TRUE(runner->validation_messages().empty());
+  }
+}
+
+TEST(SuiteRunner, WithoutAReferenceTheOracleJudgesAlone) {
+  auto runner = SuiteRunner::create({.reference = kNoReference});
+  ASSERT_TRUE(runner);
+  const RunResult result = runner->run(cases());
+  EXPECT_EQ(result.summary.failed, 0U);
+  EXPECT_EQ(result.reference.driver, "none");
+  EXPECT_GT(result.summary.identical, 0U);
+}
+
+TEST(SuiteRunner, ACaseBeyondTheDeviceIsSkippedWithTheReason) {
+  std::vector<Case> all = cases();
+  all[0].target.samples = VK_SAMPLE_COUNT_64_BIT;
+  auto runner = SuiteRunner::create({});
+  ASSERT_TRUE(runner);
+  const RunResult result = runner->run(all);
+  EXPECT_EQ(result.summary.skipped, 1U);
+  EXPECT_EQ(result.cases[0].status, Status::kSkipped);
+  EXPECT_NE(result.cases[0].message.find("target.samples"), std::string::npos) << result.cases[0].message;
+}
+
+TEST(SuiteRunner, OtherSubpixelBitsAreStillWithinTheSpecification) {
+  auto runner = SuiteRunner::create({.candidate_options = {.subpixel_bits = 4}});
+  ASSERT_TRUE(runner);
+  EXPECT_EQ(runner->run(cases()).summary.failed, 0U);
+}
+
+TEST(SuiteRunner, TheReferenceAloneIsMeasuredOnRequest) {
+  auto runner = SuiteRunner::create({.measure_reference_alone = true});
+  ASSERT_TRUE(runner);
+  EXPECT_TRUE(runner->run(cases()).timing.reference_alone_seconds.has_value());
+}
+
+TEST(Summary, AddsUpCasesAndSamples) {
+  CaseResult failed{.status = Status::kFailed};
+  failed.verdict.planes.push_back({});
+  failed.verdict.planes[0].counts = {5, 4, 3, 2, 1, 1};
+  const Summary summary = summarise({failed, {.status = Status::kSkipped}, {}}, 2);
+  EXPECT_EQ(summary.cases, 3U);
+  EXPECT_EQ(summary.failed, 1U);
+  EXPECT_EQ(summary.skipped, 1U);
+  EXPECT_EQ(summary.passed, 1U);
+  EXPECT_EQ(summary.identical, 5U);
+  EXPECT_EQ(summary.candidate_faults, 2U);
+  EXPECT_EQ(summary.reference_faults, 3U);
+}
+
+}  // namespace
+}  // namespace fillrule::run

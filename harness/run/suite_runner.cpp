@@ -1,0 +1,261 @@
+#include "harness/run/suite_runner.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <mutex>
+#include <thread>
+
+#include "harness/programs/glsl.h"
+#include "reference/vulkan/check.h"
+#include "reference/vulkan/reference.h"
+
+namespace fillrule::run {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+// So many cases are handed to the reference at once: enough to share a submission, few enough that judging starts
+// soon.
+constexpr size_t kBatchSize = 32;
+
+// What a worker takes: a case, its place in the results and what the reference drew.
+struct Job {
+  size_t index = 0;
+  std::unique_ptr<const Planes> reference;  // none where the candidate is alone with the oracle
+};
+
+// Jobs from one thread to many, at most `capacity` waiting, so that pictures do not pile up.
+class JobQueue {
+ public:
+  explicit JobQueue(size_t capacity) : capacity_(capacity) {}
+
+  void push(Job job) {
+    std::unique_lock lock(mutex_);
+    space_.wait(lock, [this] { return jobs_.size() < capacity_; });
+    jobs_.push_back(std::move(job));
+    ready_.notify_one();
+  }
+
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    ready_.notify_all();
+  }
+
+  // Empty when the queue has been closed and emptied.
+  std::optional<Job> pop() {
+    std::unique_lock lock(mutex_);
+    ready_.wait(lock, [this] { return closed_ || !jobs_.empty(); });
+    if (jobs_.empty()) return std::nullopt;
+    Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    space_.notify_one();
+    return job;
+  }
+
+ private:
+  size_t capacity_;
+  std::mutex mutex_;
+  std::condition_variable ready_;
+  std::condition_variable space_;
+  std::deque<Job> jobs_;
+  bool closed_ = false;
+};
+
+// Starts `count` threads and waits for them at the end of the scope.
+class Workers {
+ public:
+  template <typename Work>
+  Workers(uint32_t count, Work work) {
+    for (uint32_t i = 0; i < count; ++i) threads_.emplace_back([work, i] { work(i); });
+  }
+
+ private:
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace
+
+struct SuiteRunner::State {
+  RunOptions options;
+  Candidate candidate;
+  std::optional<vulkan::Reference> reference;
+
+  [[nodiscard]] judge::CaseVerdict judge_case(const Case& test_case, const Planes& candidate_planes,
+                                              const Planes* reference_planes, bool keep_maps) const {
+    const judge::Party candidate_party{.planes = &candidate_planes, .subpixel_bits = candidate.subpixel_bits};
+    const judge::Settings settings{.profile = options.profile, .keep_maps = keep_maps};
+    if (reference_planes == nullptr) return judge::judge(test_case, candidate_party, nullptr, settings);
+    const judge::Party reference_party{.planes = reference_planes,
+                                       .subpixel_bits = reference->device().subpixel_bits};
+    return judge::judge(test_case, candidate_party, &reference_party, settings);
+  }
+
+  // The candidate's part and the verdict.
+  void finish(const Case& test_case, const Planes* reference_planes, CaseResult& result, Timing& timing) const {
+    const auto start = Clock::now();
+    const Result<Planes> planes = candidate.draw(test_case);
+    const double drawn = seconds_since(start);
+    timing.candidate_seconds += drawn;
+    if (!planes) {
+      result.status = Status::kFailed;
+      result.message = "the candidate cannot draw it: " + to_string(planes.error());
+      return;
+    }
+    result.verdict = judge_case(test_case, *planes, reference_planes, false);
+    result.seconds = seconds_since(start);
+    timing.judge_seconds += result.seconds - drawn;
+    if (result.verdict.candidate_faults() > 0) result.status = Status::kFailed;
+  }
+
+  // Draws one batch. Cases that the device cannot draw are skipped, and told so in the results.
+  std::vector<std::unique_ptr<const Planes>> draw_batch(std::span<const Case> batch, std::span<CaseResult> results) {
+    std::vector<std::unique_ptr<const Planes>> drawn(batch.size());
+    std::vector<const Case*> accepted;
+    std::vector<size_t> places;
+    for (size_t i = 0; i < batch.size(); ++i) {
+      if (const Result<void> can = vulkan::check_case(reference->device(), batch[i]); !can) {
+        results[i].status = Status::kSkipped;
+        results[i].message = to_string(can.error());
+        continue;
+      }
+      accepted.push_back(&batch[i]);
+      places.push_back(i);
+    }
+    std::vector<Result<Planes>> planes = reference->draw(accepted);
+    for (size_t i = 0; i < accepted.size(); ++i) {
+      if (planes[i]) {
+        drawn[places[i]] = std::make_unique<const Planes>(std::move(*planes[i]));
+      } else {
+        results[places[i]].status = Status::kFailed;
+        results[places[i]].message = "the reference broke down: " + to_string(planes[i].error());
+      }
+    }
+    return drawn;
+  }
+
+  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue, Timing& timing) {
+    for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
+      const size_t size = std::min(kBatchSize, cases.size() - begin);
+      std::vector<std::unique_ptr<const Planes>> drawn(size);
+      if (reference) {
+        const auto start = Clock::now();
+        drawn = draw_batch(cases.subspan(begin, size), std::span(results).subspan(begin, size));
+        timing.reference_seconds += seconds_since(start);
+      }
+      for (size_t i = 0; i < size; ++i) {
+        if (reference && !drawn[i]) continue;
+        queue.push({.index = begin + i, .reference = std::move(drawn[i])});
+      }
+    }
+    queue.close();
+  }
+
+  double measure_reference_alone(std::span<const Case> cases) {
+    std::array<double, 3> seconds{};
+    std::vector<CaseResult> ignored(cases.size());
+    for (double& run : seconds) {
+      const auto start = Clock::now();
+      for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
+        const size_t size = std::min(kBatchSize, cases.size() - begin);
+        draw_batch(cases.subspan(begin, size), std::span(ignored).subspan(begin, size));
+      }
+      run = seconds_since(start);
+    }
+    std::sort(seconds.begin(), seconds.end());
+    return seconds[1];
+  }
+};
+
+Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
+  Result<Candidate> candidate = make_candidate(options.candidate, options.candidate_options);
+  if (!candidate) return tl::unexpected(candidate.error());
+  auto state = std::make_unique<State>(State{options, std::move(*candidate), std::nullopt});
+  if (options.reference != kNoReference) {
+    Result<vulkan::Reference> reference =
+        vulkan::Reference::create({.driver = options.reference,
+                                   .driver_files = options.driver_files,
+                                   .program = {.vertex_glsl = programs::varyings_vertex_glsl(),
+                                               .fragment_glsl = programs::varyings_fragment_glsl()},
+                                   .validation = options.validation});
+    if (!reference) return tl::unexpected(reference.error());
+    state->reference.emplace(std::move(*reference));
+  }
+  return SuiteRunner(std::move(state));
+}
+
+SuiteRunner::SuiteRunner(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SuiteRunner::SuiteRunner(SuiteRunner&&) noexcept = default;
+SuiteRunner& SuiteRunner::operator=(SuiteRunner&&) noexcept = default;
+SuiteRunner::~SuiteRunner() = default;
+
+RunResult SuiteRunner::run(std::span<const Case> cases) {
+  RunResult result{.candidate = state_->candidate.name,
+                   .candidate_subpixel_bits = state_->candidate.subpixel_bits,
+                   .reference = {.driver = kNoReference}};
+  if (state_->reference) {
+    const vulkan::DeviceInfo& device = state_->reference->device();
+    result.reference = {.driver = device.driver,
+                        .name = device.name,
+                        .version = device.driver_version,
+                        .subpixel_bits = device.subpixel_bits};
+  }
+  const auto start = Clock::now();
+  result.cases.resize(cases.size());
+  for (size_t i = 0; i < cases.size(); ++i) {
+    result.cases[i].name = cases[i].name;
+    result.cases[i].file = cases[i].file;
+  }
+  const uint32_t jobs = std::max(state_->options.jobs, 1U);
+  std::vector<Timing> timings(jobs);
+  {
+    JobQueue queue(2 * kBatchSize);
+    const Workers workers(jobs, [&](uint32_t worker) {
+      while (std::optional<Job> job = queue.pop()) {
+        state_->finish(cases[job->index], job->reference.get(), result.cases[job->index], timings[worker]);
+      }
+    });
+    state_->feed(cases, result.cases, queue, result.timing);
+  }
+  for (const Timing& timing : timings) {
+    result.timing.candidate_seconds += timing.candidate_seconds;
+    result.timing.judge_seconds += timing.judge_seconds;
+  }
+  result.summary = summarise(result.cases, seconds_since(start));
+  if (state_->reference && state_->options.measure_reference_alone) {
+    result.timing.reference_alone_seconds = state_->measure_reference_alone(cases);
+  }
+  return result;
+}
+
+Result<Drawing> SuiteRunner::draw(const Case& test_case) {
+  Drawing drawing;
+  Result<Planes> candidate = state_->candidate.draw(test_case);
+  if (!candidate) return tl::unexpected(candidate.error());
+  drawing.candidate = std::move(*candidate);
+  if (state_->reference) {
+    if (const Result<void> can = vulkan::check_case(state_->reference->device(), test_case); !can) {
+      return tl::unexpected(can.error());
+    }
+    const Case* const one = &test_case;
+    std::vector<Result<Planes>> planes = state_->reference->draw({&one, 1});
+    if (!planes.front()) return tl::unexpected(planes.front().error());
+    drawing.reference = std::move(*planes.front());
+  }
+  const Planes* const reference = drawing.reference ? &*drawing.reference : nullptr;
+  drawing.verdict = state_->judge_case(test_case, drawing.candidate, reference, true);
+  return drawing;
+}
+
+std::vector<std::string> SuiteRunner::validation_messages() const {
+  return state_->reference ? state_->reference->validation_messages() : std::vector<std::string>{};
+}
+
+}  // namespace fillrule::run

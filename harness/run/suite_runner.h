@@ -1,0 +1,62 @@
+// Draws cases with the candidate and the reference, and has them judged: the reference in batches on one thread, the
+// candidate and the judge on as many threads as there are jobs, at the same time.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "cases/model/case.h"
+#include "cases/model/planes.h"
+#include "cases/model/result.h"
+#include "harness/judge/judge.h"
+#include "harness/run/candidate.h"
+#include "harness/run/run.h"
+
+namespace fillrule::run {
+
+// The name of a reference that leaves the candidate alone with the oracle.
+inline constexpr const char* kNoReference = "none";
+
+struct RunOptions {
+  std::string candidate = "renderer";
+  CandidateOptions candidate_options;
+  std::string reference = "lavapipe";  // a driver, or kNoReference
+  std::vector<std::string> driver_files;
+  judge::Profile profile;
+  uint32_t jobs = 1;
+  bool measure_reference_alone = false;
+  bool validation = false;  // Vulkan's validation layers
+};
+
+// Both parties' pictures of one case, and the verdict with its maps.
+struct Drawing {
+  Planes candidate;
+  std::optional<Planes> reference;
+  judge::CaseVerdict verdict;
+};
+
+class SuiteRunner {
+ public:
+  static Result<SuiteRunner> create(const RunOptions& options);
+  SuiteRunner(SuiteRunner&&) noexcept;
+  SuiteRunner& operator=(SuiteRunner&&) noexcept;
+  ~SuiteRunner();
+
+  // Results are in the order of the cases, whatever the number of jobs.
+  RunResult run(std::span<const Case> cases);
+
+  Result<Drawing> draw(const Case& test_case);
+
+  [[nodiscard]] std::vector<std::string> validation_messages() const;
+
+ private:
+  struct State;
+  explicit SuiteRunner(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace fillrule::run

@@ -1,0 +1,177 @@
+#include "reference/exact/expectation.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "reference/exact/assembly.h"
+
+namespace fillrule::exact {
+namespace {
+
+// Samples are classified in blocks of this many pixels squared, so that only those near a boundary are asked one by
+// one.
+constexpr int32_t kBlockSize = 8;
+
+bool culled(const RasterState& state, bool front_facing) {
+  return (state.cull_mode & (front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT)) != 0;
+}
+
+// Vulkan's area is negative for a triangle whose determinant is positive, y pointing down. Without area: back-facing.
+bool is_front_facing(const RasterState& state, int orientation) {
+  return orientation == (state.front_face == VK_FRONT_FACE_CLOCKWISE ? 1 : -1);
+}
+
+int32_t to_pixel(double position, int32_t low, int32_t high) {
+  if (!(position > low)) return low;
+  return position < high ? static_cast<int32_t>(position) : high;
+}
+
+// The pixels that a primitive can touch: its bounds, the scissor and the target.
+VkRect2D pixels_of(const Primitive& primitive, const RasterState& state, const Target& target) {
+  const auto bounds = primitive.triangle.bounds(primitive.latitude);
+  const int64_t scissor_right = int64_t{state.scissor.offset.x} + int64_t{state.scissor.extent.width};
+  const int64_t scissor_bottom = int64_t{state.scissor.offset.y} + int64_t{state.scissor.extent.height};
+  const auto left = static_cast<int32_t>(std::max<int64_t>(state.scissor.offset.x, 0));
+  const auto top = static_cast<int32_t>(std::max<int64_t>(state.scissor.offset.y, 0));
+  const auto right = static_cast<int32_t>(std::min<int64_t>(scissor_right, target.width));
+  const auto bottom = static_cast<int32_t>(std::min<int64_t>(scissor_bottom, target.height));
+  const int32_t x0 = to_pixel(std::floor(bounds[0]), left, right);
+  const int32_t y0 = to_pixel(std::floor(bounds[1]), top, bottom);
+  const int32_t x1 = to_pixel(std::ceil(bounds[2]), left, right);
+  const int32_t y1 = to_pixel(std::ceil(bounds[3]), top, bottom);
+  return {.offset = {.x = x0, .y = y0},
+          .extent = {.width = static_cast<uint32_t>(std::max(x1 - x0, 0)),
+                     .height = static_cast<uint32_t>(std::max(y1 - y0, 0))}};
+}
+
+Block block_of(const VkRect2D& pixels) {
+  const double half_width = (pixels.extent.width - 1) / 2.0;
+  const double half_height = (pixels.extent.height - 1) / 2.0;
+  return {.x = pixels.offset.x + 0.5 + half_width,
+          .y = pixels.offset.y + 0.5 + half_height,
+          .half_width = half_width,
+          .half_height = half_height};
+}
+
+}  // namespace
+
+Expectation::Expectation(const Case& test_case, uint32_t subpixel_bits) {
+  sole_.assign(size_t{test_case.target.width} * test_case.target.height, kNothing);
+  for (uint32_t draw = 0; draw < test_case.draws.size(); ++draw) add_draw(test_case, draw, subpixel_bits);
+}
+
+void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t subpixel_bits) {
+  const Draw& draw = test_case.draws[draw_number];
+  const Latitude latitude = latitude_of(draw.state.viewport, subpixel_bits);
+  const double snap = std::ldexp(1.0, -static_cast<int>(subpixel_bits));
+  for (const AssembledTriangle& assembled : assemble(draw)) {
+    const std::array<ClipPosition, 3> positions{draw.positions[assembled.vertices[0]],
+                                                draw.positions[assembled.vertices[1]],
+                                                draw.positions[assembled.vertices[2]]};
+    Primitive primitive{.draw = draw_number,
+                        .vertices = assembled.vertices,
+                        .provoking = assembled.provoking,
+                        .triangle = Triangle(positions, draw.state.viewport),
+                        .latitude = latitude};
+    primitive.front_facing = is_front_facing(draw.state, primitive.triangle.orientation());
+    primitive.facing_in_doubt = primitive.triangle.orientation_in_doubt(latitude);
+    primitive.thin = primitive.triangle.thinner_than(snap);
+    primitives_.push_back(std::move(primitive));
+    add_primitive(test_case, static_cast<uint32_t>(primitives_.size() - 1));
+  }
+}
+
+void Expectation::add_primitive(const Case& test_case, uint32_t number) {
+  const Primitive& primitive = primitives_[number];
+  const RasterState& state = test_case.draws[primitive.draw].state;
+  const bool is_culled = culled(state, primitive.front_facing);
+  // Culled whichever way it faces, or certainly facing the culled way.
+  if (is_culled && (!primitive.facing_in_doubt || culled(state, !primitive.front_facing))) return;
+  const VkRect2D pixels = pixels_of(primitive, state, test_case.target);
+  const uint32_t width = test_case.target.width;
+  const auto right = pixels.offset.x + static_cast<int32_t>(pixels.extent.width);
+  const auto bottom = pixels.offset.y + static_cast<int32_t>(pixels.extent.height);
+  const auto for_each_block = [&](const auto& visit) {
+    for (int32_t y = pixels.offset.y; y < bottom; y += kBlockSize) {
+      for (int32_t x = pixels.offset.x; x < right; x += kBlockSize) {
+        const VkRect2D block{.offset = {.x = x, .y = y},
+                             .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
+                                        .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
+        classify_block(primitive, block, width, visit);
+      }
+    }
+  };
+  // A sample further inside than the latitude proves that rounding cannot turn the triangle over.
+  bool certain = false;
+  if (!is_culled) {
+    for_each_block([&](size_t sample, const Classification& classification) {
+      certain = certain || classification.coverage == Coverage::kMust;
+      append(sample, classification, number);
+    });
+  } else {
+    std::vector<Classified> open;
+    for_each_block([&](size_t sample, const Classification& classification) {
+      certain = certain || classification.coverage == Coverage::kMust;
+      open.push_back({.sample = sample, .classification = classification});
+    });
+    if (!certain) {
+      for (const Classified& classified : open) append(classified.sample, classified.classification, number);
+    }
+  }
+  if (certain) primitives_[number].facing_in_doubt = false;
+}
+
+template <typename Visit>
+void Expectation::classify_block(const Primitive& primitive, const VkRect2D& block, uint32_t width,
+                                 const Visit& visit) const {
+  const BlockClassification whole = primitive.triangle.classify_block(block_of(block), primitive.latitude);
+  if (whole.coverage == Coverage::kMustNot) return;
+  for (uint32_t row = 0; row < block.extent.height; ++row) {
+    const uint32_t y = static_cast<uint32_t>(block.offset.y) + row;
+    for (uint32_t column = 0; column < block.extent.width; ++column) {
+      const uint32_t x = static_cast<uint32_t>(block.offset.x) + column;
+      Classification classification{.coverage = Coverage::kMust};
+      if (whole.coverage == Coverage::kMay) {
+        classification = primitive.triangle.classify(x + 0.5, y + 0.5, primitive.latitude, whole.undecided);
+        if (classification.coverage == Coverage::kMustNot) continue;
+      }
+      visit(size_t{y} * width + x, classification);
+    }
+  }
+}
+
+void Expectation::append(size_t sample, const Classification& classification, uint32_t number) {
+  uint32_t& sole = sole_[sample];
+  if (sole == kNothing && classification.coverage == Coverage::kMust) {
+    sole = number;
+    return;
+  }
+  if (sole != kSeveral) {
+    if (lists_.empty()) lists_.resize(sole_.size());
+    lists_[sample] = {.first = kNothing, .last = kNothing};
+    if (sole != kNothing) append_node(sample, {.primitive = sole, .coverage = Coverage::kMust});
+    sole = kSeveral;
+  }
+  append_node(sample, {.primitive = number, .coverage = classification.coverage, .doubt = classification.doubt});
+}
+
+void Expectation::append_node(size_t sample, const Entry& entry) {
+  const auto index = static_cast<uint32_t>(nodes_.size());
+  nodes_.push_back({.entry = entry, .next = kNothing});
+  SampleList& list = lists_[sample];
+  (list.last == kNothing ? list.first : nodes_[list.last].next) = index;
+  list.last = index;
+}
+
+void Expectation::collect(size_t sample, std::vector<Entry>& entries) const {
+  entries.clear();
+  const uint32_t sole = sole_[sample];
+  if (sole == kNothing) return;
+  if (sole != kSeveral) {
+    entries.push_back({.primitive = sole, .coverage = Coverage::kMust});
+    return;
+  }
+  for (uint32_t i = lists_[sample].first; i != kNothing; i = nodes_[i].next) entries.push_back(nodes_[i].entry);
+}
+
+}  // namespace fillrule::exact

@@ -1,0 +1,95 @@
+#include "reference/exact/expectation.h"
+
+#include <gtest/gtest.h>
+
+namespace fillrule::exact {
+namespace {
+
+ClipPosition at(double x, double y) {
+  return {static_cast<float>(x / 8 - 1), static_cast<float>(y / 8 - 1), 0.5F, 1};
+}
+
+// Two triangles, clockwise as seen, that make the square from (2, 2) to (14, 14) of a target of 16x16 pixels.
+Case square() {
+  Draw draw{.positions = {at(2, 2), at(14, 2), at(2, 14), at(14, 2), at(14, 14), at(2, 14)}};
+  draw.state.viewport = {.x = 0, .y = 0, .width = 16, .height = 16, .minDepth = 0, .maxDepth = 1};
+  draw.state.scissor = {.offset = {}, .extent = {.width = 16, .height = 16}};
+  return {.target = {.width = 16, .height = 16}, .draws = {draw}};
+}
+
+std::vector<Entry> entries_at(const Expectation& expectation, uint32_t x, uint32_t y) {
+  std::vector<Entry> entries;
+  expectation.collect(size_t{y} * 16 + x, entries);
+  return entries;
+}
+
+std::vector<uint32_t> primitives_at(const Expectation& expectation, uint32_t x, uint32_t y) {
+  std::vector<uint32_t> numbers;
+  for (const Entry& entry : entries_at(expectation, x, y)) numbers.push_back(entry.primitive);
+  return numbers;
+}
+
+TEST(Expectation, ListsPrimitivesAtEachSampleInSubmissionOrder) {
+  Case twice = square();
+  twice.draws.push_back(twice.draws.front());
+  const Expectation expectation(twice, 8);
+  EXPECT_EQ(primitives_at(expectation, 3, 3), (std::vector<uint32_t>{0, 2}));
+  EXPECT_EQ(primitives_at(expectation, 13, 13), (std::vector<uint32_t>{1, 3}));
+  EXPECT_TRUE(primitives_at(expectation, 0, 0).empty());
+}
+
+TEST(Expectation, ASampleOnTheDiagonalIsInDoubtForBoth) {
+  const Expectation expectation(square(), 8);
+  // The diagonal x + y = 16 runs through the sample (7.5, 8.5).
+  ASSERT_EQ(primitives_at(expectation, 7, 8), (std::vector<uint32_t>{0, 1}));
+  EXPECT_EQ(entries_at(expectation, 7, 8)[0].coverage, Coverage::kMay);
+  EXPECT_EQ(expectation.sole()[8 * 16 + 7], kSeveral);
+  EXPECT_EQ(expectation.sole()[3 * 16 + 3], 0U);
+  EXPECT_EQ(expectation.sole()[0], kNothing);
+}
+
+TEST(Expectation, CullingAndFacing) {
+  Case culled = square();
+  EXPECT_FALSE(Expectation(culled, 8).primitives()[0].front_facing);
+  culled.draws[0].state.front_face = VK_FRONT_FACE_CLOCKWISE;
+  EXPECT_TRUE(Expectation(culled, 8).primitives()[0].front_facing);
+  culled.draws[0].state.cull_mode = VK_CULL_MODE_BACK_BIT;
+  EXPECT_FALSE(primitives_at(Expectation(culled, 8), 5, 5).empty());
+  culled.draws[0].state.cull_mode = VK_CULL_MODE_FRONT_BIT;
+  EXPECT_TRUE(primitives_at(Expectation(culled, 8), 5, 5).empty());
+  culled.draws[0].state.cull_mode = VK_CULL_MODE_FRONT_AND_BACK;
+  EXPECT_TRUE(primitives_at(Expectation(culled, 8), 5, 5).empty());
+}
+
+TEST(Expectation, TheScissorCutsExactly) {
+  Case cut = square();
+  cut.draws[0].state.scissor = {.offset = {.x = 4, .y = 5}, .extent = {.width = 3, .height = 2}};
+  const Expectation expectation(cut, 8);
+  EXPECT_FALSE(primitives_at(expectation, 4, 5).empty());
+  EXPECT_FALSE(primitives_at(expectation, 6, 6).empty());
+  EXPECT_TRUE(primitives_at(expectation, 3, 5).empty());
+  EXPECT_TRUE(primitives_at(expectation, 7, 5).empty());
+  EXPECT_TRUE(primitives_at(expectation, 4, 4).empty());
+  EXPECT_TRUE(primitives_at(expectation, 4, 7).empty());
+}
+
+TEST(Expectation, ASliverThatMayTurnOverIsLeftOpenWhenCulled) {
+  Case sliver = square();
+  sliver.draws[0].positions = {at(2, 4.5), at(14, 4.5), at(8, 4.5 + 1.0 / 2048)};
+  sliver.draws[0].state.cull_mode = VK_CULL_MODE_BACK_BIT;
+  const Expectation expectation(sliver, 8);
+  EXPECT_TRUE(expectation.primitives()[0].facing_in_doubt);
+  EXPECT_TRUE(expectation.primitives()[0].thin);
+  ASSERT_FALSE(entries_at(expectation, 8, 4).empty());
+  EXPECT_EQ(entries_at(expectation, 8, 4)[0].coverage, Coverage::kMay);
+}
+
+TEST(Expectation, AVisibleSampleSettlesTheFacingOfATriangleBehindTheEye) {
+  Case behind = square();
+  behind.draws[0].positions = {{0, 0.9F, 0.5F, 1}, {-0.9F, -0.9F, 0.5F, 1}, {0.5F, 0, -0.5F, -1}};
+  const Expectation expectation(behind, 8);
+  EXPECT_FALSE(expectation.primitives()[0].facing_in_doubt);
+}
+
+}  // namespace
+}  // namespace fillrule::exact

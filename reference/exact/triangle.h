@@ -1,0 +1,143 @@
+// One triangle of the oracle: which samples it must, may and must not cover, and the exact values there.
+//
+// Nothing is clipped and nothing is divided by w. With v_i = (X_i, Y_i, w_i) the vertices in homogeneous framebuffer
+// coordinates, relative to the viewport's centre, and p = (dx, dy, 1) a sample, the edge functions
+// E_i(p) = det(p, v_j, v_k) and D = det(v_0, v_1, v_2) give the weights l_i = E_i / D with p = sum l_i v_i. The
+// sample is inside the triangle, and in front of the eye, if all l_i >= 0; its clip-space z, scaled so that w = 1, is
+// sum l_i z_i, so the near and far planes are linear functions of the position like the edges. That holds for any
+// sign of w (Olano and Greer, "Triangle Scan Conversion using 2D Homogeneous Coordinates", 1997).
+//
+// Arithmetic is filtered: doubles with a certain error bound (linear_form.h) decide where they can, rationals
+// (rational_triangle.h) where they cannot.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "cases/model/case.h"
+#include "reference/exact/latitude.h"
+#include "reference/exact/linear_form.h"
+
+namespace fillrule::exact {
+
+enum class Coverage : uint8_t { kMustNot, kMay, kMust };
+
+// Which boundaries of a primitive leave a sample in doubt. Bits 0 to 2: the edge opposite of vertex 0, 1, 2.
+enum DoubtBits : uint8_t { kDoubtEdge0 = 1, kDoubtEdges = 7, kDoubtNear = 8, kDoubtFar = 16, kDoubtViewport = 32 };
+
+struct Classification {
+  Coverage coverage = Coverage::kMustNot;
+  uint8_t doubt = 0;  // DoubtBits; nonzero exactly if coverage is kMay
+};
+
+inline constexpr uint8_t kEveryBoundary = 0xFF;
+
+// What holds for every sample of a block; `undecided` are the boundaries (DoubtBits) that each sample has to be asked
+// about where coverage is kMay. All others are further away than the latitude, on the inside.
+struct BlockClassification {
+  Coverage coverage = Coverage::kMay;
+  uint8_t undecided = kEveryBoundary;
+};
+
+// A rectangle of samples: a centre and half its size, in pixels.
+struct Block {
+  double x = 0;
+  double y = 0;
+  double half_width = 0;
+  double half_height = 0;
+};
+
+class Triangle {
+ public:
+  Triangle(const std::array<ClipPosition, 3>& vertices, const VkViewport& viewport);
+
+  // True where Vulkan says nothing: NaN, infinity, or coordinates whose products leave float32. The triangle may then
+  // cover anything inside the viewport, and has no values.
+  [[nodiscard]] bool undefined() const { return undefined_; }
+
+  // True if no implementation has to clip it: every vertex is inside the view volume.
+  [[nodiscard]] bool inside_volume() const { return inside_volume_; }
+
+  // True if every vertex is in front of the eye, w > 0.
+  [[nodiscard]] bool in_front() const { return in_front_; }
+
+  // The sign of D: 1 is clockwise in framebuffer coordinates (y down), -1 counter-clockwise, 0 no area.
+  [[nodiscard]] int orientation() const { return orientation_; }
+
+  // True if the area is so small that moving the vertices within the latitude may turn the triangle over.
+  [[nodiscard]] bool orientation_in_doubt(const Latitude& latitude) const;
+
+  // True if the triangle's smallest height is at most `width` pixels: its values are then undefined ground. Always
+  // false where a vertex is not in front of the eye.
+  [[nodiscard]] bool thinner_than(double width) const;
+
+  // The coverage of the sample at framebuffer position (x, y), culling and scissor left aside. Only the boundaries in
+  // `undecided` are asked.
+  [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
+                                        uint8_t undecided = kEveryBoundary) const;
+
+  // What is cheap to tell of all samples in the block at once.
+  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const;
+
+  // True if the sample is inside with ties resolved by the top-left rule on the exact edges: exactly one of two
+  // triangles that share an edge owns a sample on it.
+  [[nodiscard]] bool owns(double x, double y) const;
+
+  // True if every vertex lies exactly on the grid of 2^-subpixel_bits pixels, and in front of the eye.
+  [[nodiscard]] bool on_grid(uint32_t subpixel_bits) const;
+
+  // The smallest rectangle (min x, min y, max x, max y; pixels) outside of which every sample is kMustNot.
+  [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const;
+
+  // Linear in the window, in double: sum l_i q_i for the given q. Not defined where orientation() is 0.
+  [[nodiscard]] LinearForm interpolant(std::span<const double, 3> q) const;
+
+  [[nodiscard]] const std::array<ClipPosition, 3>& vertices() const { return vertices_; }
+  [[nodiscard]] const VkViewport& viewport() const { return viewport_; }
+  // Vertices in homogeneous framebuffer coordinates relative to the viewport's centre.
+  [[nodiscard]] double u(size_t vertex) const { return u_[vertex]; }
+  [[nodiscard]] double v(size_t vertex) const { return v_[vertex]; }
+  [[nodiscard]] double w(size_t vertex) const { return double{vertices_[vertex][3]}; }
+  [[nodiscard]] double centre_x() const { return centre_x_; }
+  [[nodiscard]] double centre_y() const { return centre_y_; }
+  // The edge opposite of vertex i, positive inside.
+  [[nodiscard]] const LinearForm& edge(size_t i) const { return edges_[i]; }
+
+ private:
+  void set_up_edges();
+  void set_up_planes();
+  void set_up_bounds();
+  [[nodiscard]] Classification classify_without_area(double x, double y, const Latitude& latitude) const;
+  [[nodiscard]] Coverage classify_against(const LinearForm& form, double dx, double dy, const Latitude& latitude,
+                                          int exact_form) const;
+  [[nodiscard]] Coverage classify_viewport(double x, double y, const Latitude& latitude) const;
+  [[nodiscard]] int side_of(int edge_number, double dx, double dy) const;
+  [[nodiscard]] bool outside_bounds(double x, double y, const Latitude& latitude) const;
+
+  std::array<ClipPosition, 3> vertices_;
+  VkViewport viewport_;
+  double centre_x_ = 0;
+  double centre_y_ = 0;
+  bool centre_is_short_ = false;
+  bool undefined_ = false;
+  bool inside_volume_ = true;
+  bool in_front_ = true;
+  bool outside_ = false;  // all vertices outside of one plane: no implementation draws it
+  bool needs_near_ = false;
+  bool needs_far_ = false;
+  int orientation_ = 0;
+  double determinant_ = 0;  // |D|
+  std::array<double, 3> u_{};
+  std::array<double, 3> v_{};
+  std::array<LinearForm, 3> edges_{};  // times the sign of D
+  LinearForm near_;
+  LinearForm far_;
+  // Of the projected vertices, relative to the centre; only where in_front().
+  double min_dx_ = 0;
+  double min_dy_ = 0;
+  double max_dx_ = 0;
+  double max_dy_ = 0;
+};
+
+}  // namespace fillrule::exact

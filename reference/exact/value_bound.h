@@ -1,0 +1,113 @@
+// Exact depth and varyings of a triangle in double, and how far a float32 implementation may be from them.
+//
+// The bound is derived in reference/exact/README.md ("Values"). In short, for a quantity q that is linear in the
+// window (depth, a/w, 1/w) an implementation (1) may interpolate between rounded vertices, which moves q by up to
+// A (t_x |dq/dx| + t_y |dq/dy|), A = sum of |window barycentric coordinates|, and (2) rounds every step to float32,
+// which errs by k u C(q, p), u = 2^-24, where C adds up the magnitudes that the steps round.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "reference/exact/triangle.h"
+
+namespace fillrule::exact {
+
+// Beyond the bound, but within this multiple of it, a value is imprecise; beyond, at fault.
+inline constexpr double kImpreciseFactor = 64;
+
+struct Expected {
+  double value = 0;
+  double tolerance = 0;  // infinity where the value is not judged
+};
+
+// A quantity that is linear in the window, its values at the vertices, and the condition of computing it from them.
+class WindowLinear {
+ public:
+  WindowLinear() = default;
+  // `q` are the values at the vertices (infinite where w is 0: no bound then), `form` the exact function.
+  // Whether the gradient is computed from differences to the anchor's value (z) or from the values (a/w, 1/w).
+  enum class Gradient : uint8_t { kFromDifferences, kFromValues };
+  WindowLinear(const Triangle& triangle, const LinearForm& form, const std::array<double, 3>& q, Gradient gradient);
+
+  [[nodiscard]] double at(double dx, double dy) const { return form_.at(dx, dy); }
+  [[nodiscard]] const LinearForm& form() const { return form_; }
+  [[nodiscard]] double largest() const { return largest_; }
+  // C(q, p): the sum of the magnitudes that float32 rounds on the way to q at p, the largest over the choices of the
+  // vertex that the plane is anchored at.
+  [[nodiscard]] double condition(double dx, double dy) const;
+
+ private:
+  LinearForm form_;
+  double largest_ = 0;   // max |q_i|
+  double constant_ = 0;  // the share of C that does not depend on p
+  double centre_x_ = 0;
+  double centre_y_ = 0;
+  struct Anchor {
+    double x = 0;
+    double y = 0;
+    double per_x = 0;
+    double per_y = 0;
+  };
+  std::array<Anchor, 3> anchors_{};
+};
+
+// The values of one triangle. Not for triangles without area, nor undefined ones.
+class TriangleValues {
+ public:
+  TriangleValues(const Triangle& triangle, const Latitude& latitude);
+
+  // The depth in window space at the sample (x, y), clamped to [0, 1].
+  [[nodiscard]] Expected depth(double x, double y) const;
+
+  // What an implementation's `value` is judged by. The tolerance may be returned smaller than it is where `value` is
+  // within it anyway, which is cheaper to tell.
+  [[nodiscard]] Expected depth_for(float value, double x, double y) const;
+
+  // The vertices' values of one component of a varying, prepared.
+  struct Component {
+    Interpolation interpolation = Interpolation::kSmooth;
+    std::array<float, 3> values{};
+    float provoking = 0;
+    WindowLinear numerator;  // a/w of a smooth varying, the value itself of a noperspective one
+    bool judged = true;      // false where a vertex's value is not finite, or a/w leaves float32
+  };
+  [[nodiscard]] Component component(Interpolation interpolation, const std::array<float, 3>& values,
+                                    size_t provoking) const;
+
+  [[nodiscard]] Expected varying(const Component& component, double x, double y) const;
+  [[nodiscard]] Expected varying_for(const Component& component, float value, double x, double y) const;
+
+  // The same for a row of samples at (x + i, y), i from 0: exact values, and for each a tolerance that is no more
+  // than the one that varying() and depth() would give. Cheap, for the many values that are well within it.
+  void depth_row(double x, double y, std::span<double> expected, std::span<double> least) const;
+  // The w of the row's samples, which the rows of smooth varyings are made with.
+  void w_row(double x, double y, std::span<double> w) const;
+  // Not for flat varyings, nor those that are not judged.
+  void varying_row(const Component& component, double x, double y, std::span<const double> w,
+                   std::span<double> expected, std::span<double> least) const;
+
+  // The range of exact depths within the triangle, widened by the largest tolerance there. All w must be positive.
+  struct DepthRange {
+    double low = 0;
+    double high = 1;
+  };
+  [[nodiscard]] DepthRange depth_range() const;
+
+  [[nodiscard]] const Triangle& triangle() const { return *triangle_; }
+
+ private:
+  [[nodiscard]] double barycentric_size(double dx, double dy) const;
+  [[nodiscard]] double depth_tolerance(double dx, double dy) const;
+  // A lower bound of the tolerance of a quantity that is linear in the window: A >= 1 and C >= max |q_i|.
+  [[nodiscard]] double least_linear(const WindowLinear& quantity) const;
+  [[nodiscard]] double smooth_tolerance(const Component& component, double value, double dx, double dy) const;
+
+  const Triangle* triangle_;
+  Latitude latitude_;
+  WindowLinear depth_;
+  WindowLinear reciprocal_w_;
+  std::array<LinearForm, 3> barycentric_;  // of the window
+};
+
+}  // namespace fillrule::exact

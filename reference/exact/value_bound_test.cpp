@@ -1,0 +1,112 @@
+#include "reference/exact/value_bound.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "reference/exact/random_triangle.h"
+#include "reference/exact/rational_triangle.h"
+
+namespace fillrule::exact {
+namespace {
+
+constexpr VkViewport kViewport{.x = 0, .y = 0, .width = 64, .height = 64, .minDepth = 0, .maxDepth = 1};
+
+ClipPosition at(double x, double y, double z, double w) {
+  return {static_cast<float>((x / 32 - 1) * w), static_cast<float>((y / 32 - 1) * w), static_cast<float>(z * w),
+          static_cast<float>(w)};
+}
+
+const Triangle& slanted() {
+  static const Triangle triangle({at(0, 0, 0.1, 1), at(64, 0, 0.9, 4), at(0, 64, 0.5, 2)}, kViewport);
+  return triangle;
+}
+
+TEST(TriangleValues, AreTheVerticesValuesAtTheVertices) {
+  const TriangleValues values(slanted(), latitude_of(kViewport, 8));
+  const std::array<float, 3> q{1, 2, 3};
+  const auto smooth = values.component(Interpolation::kSmooth, q, 0);
+  const auto linear = values.component(Interpolation::kNoperspective, q, 0);
+  EXPECT_NEAR(values.depth(64, 0).value, 0.9, 1e-6);
+  EXPECT_NEAR(values.varying(smooth, 64, 0).value, 2, 1e-12);
+  EXPECT_NEAR(values.varying(linear, 0, 64).value, 3, 1e-12);
+}
+
+TEST(TriangleValues, SmoothIsPerspectiveCorrectAndNoperspectiveIsNot) {
+  const TriangleValues values(slanted(), latitude_of(kViewport, 8));
+  const std::array<float, 3> q{0, 1, 0};
+  // Half way along the edge from w = 1 to w = 4 the perspective-correct parameter is (1/4) / (1/1 + 1/4).
+  EXPECT_NEAR(values.varying(values.component(Interpolation::kSmooth, q, 0), 32, 0).value, 0.2, 1e-12);
+  EXPECT_NEAR(values.varying(values.component(Interpolation::kNoperspective, q, 0), 32, 0).value, 0.5, 1e-12);
+}
+
+TEST(TriangleValues, FlatIsTheProvokingVertexWithoutTolerance) {
+  const TriangleValues values(slanted(), latitude_of(kViewport, 8));
+  const auto flat = values.component(Interpolation::kFlat, {5, 6, 7}, 1);
+  EXPECT_EQ(values.varying(flat, 20, 20).value, 6);
+  EXPECT_EQ(values.varying(flat, 20, 20).tolerance, 0);
+}
+
+TEST(TriangleValues, AConstantVaryingHasATightBound) {
+  const Triangle triangle({at(0, 0, 0.5, 1), at(64, 0, 0.5, 1), at(0, 64, 0.5, 1)}, kViewport);
+  const TriangleValues values(triangle, latitude_of(kViewport, 8));
+  const auto constant = values.component(Interpolation::kSmooth, {1, 1, 1}, 0);
+  const Expected expected = values.varying(constant, 20.5, 20.5);
+  EXPECT_EQ(expected.value, 1);
+  EXPECT_GT(expected.tolerance, 0x1p-24);
+  EXPECT_LT(expected.tolerance, 0x1p-19);
+}
+
+TEST(TriangleValues, AnErrorAsOfAffineInterpolationIsFarBeyondTheBound) {
+  const TriangleValues values(slanted(), latitude_of(kViewport, 8));
+  const auto smooth = values.component(Interpolation::kSmooth, {0, 1, 0}, 0);
+  const auto affine = values.component(Interpolation::kNoperspective, {0, 1, 0}, 0);
+  const Expected expected = values.varying(smooth, 20.5, 20.5);
+  const double error = std::abs(values.varying(affine, 20.5, 20.5).value - expected.value);
+  EXPECT_GT(error, 10 * kImpreciseFactor * expected.tolerance);
+}
+
+TEST(TriangleValues, NanInAVaryingIsNotJudgedAndLeavesDepthJudged) {
+  const TriangleValues values(slanted(), latitude_of(kViewport, 8));
+  const auto nan = values.component(Interpolation::kSmooth, {0, std::numeric_limits<float>::quiet_NaN(), 0}, 0);
+  EXPECT_EQ(values.varying(nan, 20.5, 20.5).tolerance, std::numeric_limits<double>::infinity());
+  EXPECT_LT(values.depth(20.5, 20.5).tolerance, 1e-3);
+}
+
+// The doubles that the judge works with are within a millionth of the bound of the exact values.
+TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
+  constexpr uint64_t kSeed = 4711;
+  SCOPED_TRACE(kSeed);
+  std::mt19937_64 random(kSeed);
+  int compared = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const auto family = static_cast<Family>(i % static_cast<int>(kFamilies));
+    const RandomTriangle picked = random_triangle(family, random);
+    const Triangle triangle(picked.vertices, picked.viewport);
+    if (triangle.undefined() || triangle.orientation() == 0) continue;
+    const Latitude latitude = latitude_of(picked.viewport, 8);
+    const TriangleValues values(triangle, latitude);
+    const std::array<float, 3> q{-1, 3, 0.5F};
+    const auto smooth = values.component(Interpolation::kSmooth, q, 0);
+    const auto linear = values.component(Interpolation::kNoperspective, q, 0);
+    for (int sample = 0; sample < 20; ++sample) {
+      const double x = static_cast<double>(random() % 64) + 0.5;
+      const double y = static_cast<double>(random() % 64) + 0.5;
+      if (triangle.classify(x, y, latitude).coverage != Coverage::kMust) continue;
+      const auto expect_accurate = [&](const Expected& expected, double exact, const char* what) {
+        if (!std::isfinite(expected.tolerance)) return;
+        EXPECT_LE(std::abs(expected.value - exact), 1e-6 * expected.tolerance) << what << " of triangle " << i;
+        ++compared;
+      };
+      expect_accurate(values.depth(x, y), exact_depth(triangle, x, y), "depth");
+      expect_accurate(values.varying(smooth, x, y), exact_smooth(triangle, q, x, y), "smooth");
+      expect_accurate(values.varying(linear, x, y), exact_noperspective(triangle, q, x, y), "noperspective");
+    }
+  }
+  EXPECT_GT(compared, 1000);
+}
+
+}  // namespace
+}  // namespace fillrule::exact

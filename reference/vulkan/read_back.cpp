@@ -1,0 +1,63 @@
+#include <cstring>
+
+#include "reference/vulkan/job.h"
+
+namespace fillrule::vulkan {
+namespace {
+
+constexpr uint32_t kFrontFacingBit = 0x80000000U;
+
+template <typename T>
+std::vector<T> copy_attachment(const Pass& pass, uint32_t attachment, std::span<const std::byte> buffer) {
+  const TargetKey& key = pass.target.key();
+  std::vector<T> values(size_t{key.width} * key.height);
+  const uint64_t offset = pass.readback_offset + attachment_offset(key, attachment);
+  const auto bytes = buffer.subspan(offset, values.size() * sizeof(T));
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+// One lane of a slot, for every pixel.
+std::vector<float> copy_lane(const Pass& pass, const ComponentPlace& place, std::span<const std::byte> buffer) {
+  const TargetKey& key = pass.target.key();
+  std::vector<float> values(size_t{key.width} * key.height);
+  const uint32_t attachment = kFirstSlotAttachment + place.slot - pass.slots.first;
+  const uint64_t offset = pass.readback_offset + attachment_offset(key, attachment) + place.lane * sizeof(float);
+  const auto bytes = buffer.subspan(offset);
+  for (size_t i = 0; i < values.size(); ++i) std::memcpy(&values[i], &bytes[i * kVec4Bytes], sizeof(float));
+  return values;
+}
+
+}  // namespace
+
+Planes read_back(const CaseJob& job, std::span<const std::byte> buffer) {
+  const Target& target = job.drawn->target;
+  Planes planes{.width = target.width, .height = target.height, .samples = 1};
+  const Pass& first = job.passes.front();
+
+  const auto hits = copy_attachment<float>(first, 0, buffer);
+  planes.hits.reserve(hits.size());
+  for (const float value : hits) planes.hits.push_back(static_cast<uint32_t>(value));
+
+  // The attachment holds the primitive's number + 1 with the facing in the top bit, and 0 where nothing landed.
+  planes.owner = copy_attachment<uint32_t>(first, 1, buffer);
+  planes.front_facing.reserve(planes.owner.size());
+  for (uint32_t& owner : planes.owner) {
+    planes.front_facing.push_back((owner & kFrontFacingBit) != 0 ? 1 : 0);
+    owner = owner == 0 ? kNoOwner : (owner & ~kFrontFacingBit) - 1;
+  }
+
+  const TargetKey& key = first.target.key();
+  if (first.target.has_depth()) {
+    planes.depth = copy_attachment<float>(first, kFirstSlotAttachment + key.slots, buffer);
+  }
+  planes.varyings.reserve(job.needs.packing.components.size());
+  for (const ComponentPlace& place : job.needs.packing.components) {
+    size_t pass = 0;
+    while (place.slot >= job.passes[pass].slots.first + job.passes[pass].slots.counts.total()) ++pass;
+    planes.varyings.push_back(copy_lane(job.passes[pass], place, buffer));
+  }
+  return planes;
+}
+
+}  // namespace fillrule::vulkan

@@ -1,0 +1,102 @@
+#include "reference/vulkan/reference.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "reference/vulkan/submission.h"
+
+namespace fillrule::vulkan {
+namespace {
+
+Result<PhysicalDevice> choose_device(const Instance& instance, const std::string& driver) {
+  const auto devices = instance.physical_devices();
+  if (!devices) return tl::unexpected(devices.error());
+  const auto found =
+      std::ranges::find_if(*devices, [&](const PhysicalDevice& device) { return device.info.driver == driver; });
+  if (found != devices->end()) return *found;
+  if (devices->empty()) {
+    return failure(fmt::format("no Vulkan device of the driver '{}': no device at all was found", driver),
+                   "install a driver, such as the package mesa-vulkan-drivers");
+  }
+  std::vector<std::string> names;
+  names.reserve(devices->size());
+  for (const PhysicalDevice& device : *devices) {
+    names.push_back(fmt::format("'{}' ({})", device.info.driver, device.info.name));
+  }
+  return failure(fmt::format("no Vulkan device of the driver '{}'", driver),
+                 fmt::format("the devices found are {}", fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+// Members refer to those above them, which therefore never move.
+struct Reference::State {
+  State(Instance the_instance, Device the_device)
+      : instance(std::move(the_instance)), device(std::move(the_device)) {}
+
+  Instance instance;
+  Device device;
+  std::optional<PipelineCache> pipelines;
+  std::optional<Submitter> submitter;
+};
+
+Result<Reference> Reference::create(const Options& options) {
+  Result<Instance> instance = Instance::create(options.driver_files, options.validation);
+  if (!instance) return tl::unexpected(instance.error());
+  const Result<PhysicalDevice> physical = choose_device(*instance, options.driver);
+  if (!physical) return tl::unexpected(physical.error());
+  Result<Device> device = Device::create(*physical);
+  if (!device) return tl::unexpected(device.error());
+
+  auto state = std::make_unique<State>(std::move(*instance), std::move(*device));
+  const bool use_primitive_id =
+      options.primitive_number == PrimitiveNumber::kBest && state->device.info().has_primitive_id;
+  Result<PipelineCache> pipelines = PipelineCache::create(state->device, options.program, use_primitive_id);
+  if (!pipelines) return tl::unexpected(pipelines.error());
+  state->pipelines.emplace(std::move(*pipelines));
+  Result<Submitter> submitter = Submitter::create(state->device, *state->pipelines, options.bytes_in_flight);
+  if (!submitter) return tl::unexpected(submitter.error());
+  state->submitter.emplace(std::move(*submitter));
+  return Reference(std::move(state));
+}
+
+Reference::Reference(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Reference::Reference(Reference&&) noexcept = default;
+Reference& Reference::operator=(Reference&&) noexcept = default;
+Reference::~Reference() = default;
+
+const DeviceInfo& Reference::device() const {
+  return state_->device.info();
+}
+
+std::vector<Result<Planes>> Reference::draw(std::span<const Case* const> cases) {
+  Submitter& submitter = *state_->submitter;
+  std::vector<Result<Planes>> results(cases.size());
+  std::vector<CaseJob> jobs;
+  uint64_t bytes = 0;
+  for (size_t i = 0; i < cases.size(); ++i) {
+    Result<CaseNeeds> needs = submitter.needs(*cases[i]);
+    if (!needs) {
+      results[i] = tl::unexpected(needs.error());
+      continue;
+    }
+    if (bytes + needs->device_bytes > submitter.bytes_in_flight() && !jobs.empty()) {
+      submitter.draw(std::exchange(jobs, {}), results);
+      bytes = 0;
+    }
+    bytes += needs->device_bytes;
+    jobs.push_back({.drawn = cases[i], .result_index = i, .needs = std::move(*needs)});
+  }
+  submitter.draw(std::move(jobs), results);
+  return results;
+}
+
+std::vector<std::string> Reference::validation_messages() const {
+  return state_->instance.log().messages();
+}
+
+}  // namespace fillrule::vulkan

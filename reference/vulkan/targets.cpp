@@ -1,0 +1,135 @@
+#include "reference/vulkan/targets.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace fillrule::vulkan {
+namespace {
+
+constexpr uint32_t kScalarBytes = 4;
+constexpr uint32_t kSlotBytes = 16;
+
+VkImageUsageFlags usage_of(VkFormat format) {
+  const bool is_depth = format == VK_FORMAT_D32_SFLOAT;
+  return VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
+         (is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
+}
+
+Result<void> check_image(const Device& device, const TargetKey& key, VkFormat format, uint32_t bytes_per_pixel) {
+  VkImageFormatProperties properties{};
+  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
+      device.physical(), format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage_of(format), 0, &properties);
+  if (result != VK_SUCCESS) return failed_call("vkGetPhysicalDeviceImageFormatProperties", result);
+  const uint64_t bytes = uint64_t{key.width} * key.height * bytes_per_pixel;
+  if (key.width > properties.maxExtent.width || key.height > properties.maxExtent.height ||
+      bytes > properties.maxResourceSize) {
+    return failure(fmt::format("target.size: an image of {} x {} pixels of {} bytes is beyond the limits of {}",
+                               key.width, key.height, bytes_per_pixel, device.info().name),
+                   fmt::format("the device's limits are {} x {} pixels and {} MiB", properties.maxExtent.width,
+                               properties.maxExtent.height, properties.maxResourceSize >> 20U));
+  }
+  return {};
+}
+
+}  // namespace
+
+uint64_t estimated_bytes(const TargetKey& key) {
+  const uint64_t scalars = key.depth_format == VK_FORMAT_UNDEFINED ? 2 : 3;
+  return uint64_t{key.width} * key.height * (scalars * kScalarBytes + uint64_t{key.slots} * kSlotBytes);
+}
+
+Result<TargetSet> TargetSet::create(const Device& device, const TargetKey& key) {
+  TargetSet set;
+  set.key_ = key;
+  Result<void> added = set.add_image(device, kHitsFormat, kScalarBytes);
+  if (added) added = set.add_image(device, kOwnerFormat, kScalarBytes);
+  for (uint32_t i = 0; added && i < key.slots; ++i) added = set.add_image(device, kSlotFormat, kSlotBytes);
+  if (added && set.has_depth()) added = set.add_image(device, key.depth_format, kScalarBytes);
+  if (added) added = set.bind_memory(device);
+  if (!added) return tl::unexpected(added.error());
+  return set;
+}
+
+Result<void> TargetSet::add_image(const Device& device, VkFormat format, uint32_t bytes_per_pixel) {
+  if (auto checked = check_image(device, key_, format, bytes_per_pixel); !checked) return checked;
+  const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
+                               .imageType = VK_IMAGE_TYPE_2D,
+                               .format = format,
+                               .extent = {key_.width, key_.height, 1},
+                               .mipLevels = 1,
+                               .arrayLayers = 1,
+                               .samples = key_.samples,
+                               .tiling = VK_IMAGE_TILING_OPTIMAL,
+                               .usage = usage_of(format)};
+  VkImage image = VK_NULL_HANDLE;
+  const VkResult result = vkCreateImage(device.get(), &info, nullptr, &image);
+  if (result != VK_SUCCESS) return failed_call("vkCreateImage", result);
+  attachments_.push_back({.image = Image(device.get(), image), .format = format, .bytes_per_pixel = bytes_per_pixel});
+  return {};
+}
+
+Result<void> TargetSet::bind_memory(const Device& device) {
+  VkMemoryRequirements all{.size = 0, .alignment = 1, .memoryTypeBits = ~0U};
+  std::vector<VkDeviceSize> offsets;
+  for (const Attachment& attachment : attachments_) {
+    VkMemoryRequirements one;
+    vkGetImageMemoryRequirements(device.get(), attachment.image.get(), &one);
+    offsets.push_back((all.size + one.alignment - 1) / one.alignment * one.alignment);
+    all.size = offsets.back() + one.size;
+    all.alignment = std::max(all.alignment, one.alignment);
+    all.memoryTypeBits &= one.memoryTypeBits;
+  }
+  bytes_ = all.size;
+  Result<Memory> memory = device.allocate(all, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
+  if (!memory) return tl::unexpected(memory.error());
+  memory_ = std::move(*memory);
+  for (size_t i = 0; i < attachments_.size(); ++i) {
+    Attachment& attachment = attachments_[i];
+    VkResult result = vkBindImageMemory(device.get(), attachment.image.get(), memory_.get(), offsets[i]);
+    if (result != VK_SUCCESS) return failed_call("vkBindImageMemory", result);
+    const bool is_depth = has_depth() && i + 1 == attachments_.size();
+    const VkImageAspectFlags aspect = is_depth ? VK_IMAGE_ASPECT_DEPTH_BIT : VK_IMAGE_ASPECT_COLOR_BIT;
+    const VkImageViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO,
+                                     .image = attachment.image.get(),
+                                     .viewType = VK_IMAGE_VIEW_TYPE_2D,
+                                     .format = attachment.format,
+                                     .subresourceRange = {.aspectMask = aspect, .levelCount = 1, .layerCount = 1}};
+    VkImageView view = VK_NULL_HANDLE;
+    result = vkCreateImageView(device.get(), &info, nullptr, &view);
+    if (result != VK_SUCCESS) return failed_call("vkCreateImageView", result);
+    attachment.view = ImageView(device.get(), view);
+  }
+  return {};
+}
+
+Result<TargetSet> TargetPool::acquire(const TargetKey& key) {
+  // From the back: what was used last is the likeliest to be in the processor's cache.
+  for (size_t i = idle_.size(); i-- > 0;) {
+    if (idle_[i].key() != key) continue;
+    TargetSet set = std::move(idle_[i]);
+    idle_.erase(idle_.begin() + static_cast<ptrdiff_t>(i));
+    return set;
+  }
+  make_room(estimated_bytes(key));
+  Result<TargetSet> set = TargetSet::create(*device_, key);
+  if (set) bytes_ += set->bytes();
+  return set;
+}
+
+void TargetPool::release(TargetSet set) {
+  idle_.push_back(std::move(set));
+  make_room(0);
+}
+
+void TargetPool::make_room(uint64_t bytes) {
+  size_t freed = 0;
+  while (freed < idle_.size() && bytes_ + bytes > capacity_bytes_) {
+    bytes_ -= idle_[freed].bytes();
+    ++freed;
+  }
+  idle_.erase(idle_.begin(), idle_.begin() + static_cast<ptrdiff_t>(freed));
+}
+
+}  // namespace fillrule::vulkan

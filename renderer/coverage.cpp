@@ -1,0 +1,199 @@
+#include "renderer/coverage.h"
+
+#include <utility>
+
+#include "renderer/clip.h"
+#include "renderer/edge_function.h"
+
+namespace fillrule::renderer {
+namespace {
+
+constexpr uint64_t kFullMask = ~uint64_t{0};
+
+// The edges of one triangle of the fan that are not settled yet; a pixel is inside of all of them or of none.
+struct Piece {
+  std::array<EdgeFunction, 3> edges;
+  uint32_t count = 0;
+};
+
+struct Pieces {
+  std::array<Piece, kMaxPolygonVertices - 2> pieces;
+  uint32_t count = 0;
+};
+
+// The least and the greatest value of an edge function over a rectangle of pixel centres: at two of its corners.
+struct Range {
+  int64_t least;
+  int64_t greatest;
+};
+
+Range range_over(const EdgeFunction& edge, int64_t at_top_left, int32_t width, int32_t height) {
+  const int64_t across = int64_t{edge.step_x} * (width - 1);
+  const int64_t down = int64_t{edge.step_y} * (height - 1);
+  return {at_top_left + (across < 0 ? across : 0) + (down < 0 ? down : 0),
+          at_top_left + (across > 0 ? across : 0) + (down > 0 ? down : 0)};
+}
+
+std::array<EdgeFunction, 3> edges_of(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c,
+                                     uint32_t subpixel_bits) {
+  const FixedPosition centre{half_pixel_fixed(subpixel_bits), half_pixel_fixed(subpixel_bits)};
+  return {edge_function(a, b, centre, subpixel_bits), edge_function(b, c, centre, subpixel_bits),
+          edge_function(c, a, centre, subpixel_bits)};
+}
+
+// Drops the edges that all of the rectangle is inside of; false if all of it is outside of one.
+bool settle(const PixelRect& rect, const std::array<EdgeFunction, 3>& edges, Piece& piece) {
+  piece.count = 0;
+  for (const EdgeFunction& edge : edges) {
+    const Range range = range_over(edge, edge.at(rect.left, rect.top), rect.width(), rect.height());
+    if (range.greatest < 0) {
+      return false;
+    }
+    if (range.least < 0) {
+      piece.edges[piece.count++] = edge;
+    }
+  }
+  return true;
+}
+
+// The pixels of a block that are inside of an edge which crosses it. Within the block |value| is at most
+// 7 * (|step_x| + |step_y|), since both signs occur: Integer needs room for that and one step more.
+template <typename Integer>
+uint64_t edge_mask(int64_t at_top_left, const EdgeFunction& edge) {
+  uint64_t mask = 0;
+  auto row_value = static_cast<Integer>(at_top_left);
+  for (uint32_t row = 0; row < kBlockSize; ++row) {
+    Integer value = row_value;
+    uint32_t row_mask = 0;
+    for (uint32_t column = 0; column < kBlockSize; ++column) {
+      row_mask |= static_cast<uint32_t>(value >= 0) << column;
+      value += static_cast<Integer>(edge.step_x);
+    }
+    mask |= uint64_t{row_mask} << (row * kBlockSize);
+    row_value += static_cast<Integer>(edge.step_y);
+  }
+  return mask;
+}
+
+uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
+  uint64_t mask = kFullMask;
+  for (uint32_t i = 0; i < piece.count; ++i) {
+    const EdgeFunction& edge = piece.edges[i];
+    const int64_t at_top_left = edge.at(x, y);
+    const Range range = range_over(edge, at_top_left, kBlockSize, kBlockSize);
+    if (range.greatest < 0) {
+      return 0;
+    }
+    if (range.least < 0) {
+      constexpr int64_t kNarrow = int64_t{1} << 27;
+      const bool is_narrow = std::abs(int64_t{edge.step_x}) + std::abs(int64_t{edge.step_y}) < kNarrow;
+      mask &= is_narrow ? edge_mask<int32_t>(at_top_left, edge) : edge_mask<int64_t>(at_top_left, edge);
+    }
+  }
+  return mask;
+}
+
+// The pixels of the 8x8 block at (x, y) that are in the rectangle.
+uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
+  uint64_t mask = kFullMask;
+  if (x < rect.left || x + kBlockSize > rect.right) {
+    const uint32_t low = x < rect.left ? static_cast<uint32_t>(rect.left - x) : 0;
+    const uint32_t high = x + kBlockSize > rect.right ? static_cast<uint32_t>(rect.right - x) : kBlockSize;
+    const uint64_t columns = ((1U << high) - 1U) & ~((1U << low) - 1U);
+    mask &= columns * 0x0101010101010101U;
+  }
+  if (y < rect.top) {
+    mask &= kFullMask << (static_cast<uint32_t>(rect.top - y) * kBlockSize);
+  }
+  if (y + kBlockSize > rect.bottom) {
+    mask &= kFullMask >> (static_cast<uint32_t>(y + kBlockSize - rect.bottom) * kBlockSize);
+  }
+  return mask;
+}
+
+// One triangle over a rectangle of at most 8x8 pixels, pixel by pixel.
+uint64_t small_mask(const std::array<EdgeFunction, 3>& edges, const PixelRect& rect) {
+  uint64_t mask = 0;
+  int64_t row0 = edges[0].at(rect.left, rect.top);
+  int64_t row1 = edges[1].at(rect.left, rect.top);
+  int64_t row2 = edges[2].at(rect.left, rect.top);
+  for (int32_t row = 0; row < rect.height(); ++row) {
+    int64_t value0 = row0;
+    int64_t value1 = row1;
+    int64_t value2 = row2;
+    for (int32_t column = 0; column < rect.width(); ++column) {
+      const bool is_inside = (value0 | value1 | value2) >= 0;
+      mask |= uint64_t{is_inside} << static_cast<uint32_t>(row * kBlockSize + column);
+      value0 += edges[0].step_x;
+      value1 += edges[1].step_x;
+      value2 += edges[2].step_x;
+    }
+    row0 += edges[0].step_y;
+    row1 += edges[1].step_y;
+    row2 += edges[2].step_y;
+  }
+  return mask;
+}
+
+// Calls visit(edges) for each triangle of the fan that has an area, positively oriented.
+template <typename Visit>
+void for_each_piece(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const Visit& visit) {
+  for (size_t i = 2; i < outline.size(); ++i) {
+    const FixedPosition& a = outline[0];
+    FixedPosition b = outline[i - 1];
+    FixedPosition c = outline[i];
+    const int64_t area = doubled_area(a, b, c);
+    if (area == 0) {
+      continue;
+    }
+    if (area < 0) {
+      std::swap(b, c);
+    }
+    visit(edges_of(a, b, c, subpixel_bits));
+  }
+}
+
+}  // namespace
+
+void cover(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const PixelRect& rect,
+           TileCoverage& coverage) {
+  coverage.count = 0;
+  if (rect.width() <= kBlockSize && rect.height() <= kBlockSize) {
+    uint64_t mask = 0;
+    for_each_piece(outline, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
+    if (mask != 0) {
+      coverage.blocks[coverage.count++] = {rect.left, rect.top, mask};
+    }
+    return;
+  }
+
+  // Step 1: settle what the whole rectangle answers alike. Blocks at its border reach beyond it, within the tile.
+  const PixelRect blocks{rect.left & ~(kBlockSize - 1), rect.top & ~(kBlockSize - 1),
+                         (rect.right + kBlockSize - 1) & ~(kBlockSize - 1),
+                         (rect.bottom + kBlockSize - 1) & ~(kBlockSize - 1)};
+  Pieces active;
+  for_each_piece(outline, subpixel_bits, [&](const auto& edges) {
+    if (settle(blocks, edges, active.pieces[active.count])) {
+      ++active.count;
+    }
+  });
+  if (active.count == 0) {
+    return;
+  }
+
+  // Step 2: block by block.
+  for (int32_t y = blocks.top; y < blocks.bottom; y += kBlockSize) {
+    for (int32_t x = blocks.left; x < blocks.right; x += kBlockSize) {
+      uint64_t mask = 0;
+      for (uint32_t i = 0; i < active.count; ++i) {
+        mask ^= block_mask(active.pieces[i], x, y);
+      }
+      mask &= rect_mask(rect, x, y);
+      if (mask != 0) {
+        coverage.blocks[coverage.count++] = {x, y, mask};
+      }
+    }
+  }
+}
+
+}  // namespace fillrule::renderer

@@ -1,0 +1,109 @@
+#include "renderer/interpolation.h"
+
+namespace fillrule::renderer {
+namespace {
+
+using Vector = std::array<double, 3>;
+
+Vector cross(const Vector& a, const Vector& b) {
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
+}
+
+// (X, Y, w) with the origin of the window at the anchor's centre.
+Vector window_row(const VkViewport& viewport, const ClipPosition& pos_clip, int32_t anchor_x, int32_t anchor_y) {
+  const double half_width = double{viewport.width} / 2;
+  const double half_height = double{viewport.height} / 2;
+  const double centre_x = double{viewport.x} + half_width - (anchor_x + 0.5);
+  const double centre_y = double{viewport.y} + half_height - (anchor_y + 0.5);
+  const double w = pos_clip[3];
+  return {half_width * double{pos_clip[0]} + centre_x * w, half_height * double{pos_clip[1]} + centre_y * w, w};
+}
+
+// The sum of the determinant's absolute terms: what its rounding errors are proportional to.
+double determinant_scale(const Vector& a, const Vector& b, const Vector& c) {
+  const auto term = [](double r, double s, double t, double u, double v) {
+    return std::abs(r) * (std::abs(s * t) + std::abs(u * v));
+  };
+  return term(a[0], b[1], c[2], b[2], c[1]) + term(a[1], b[2], c[0], b[0], c[2]) + term(a[2], b[0], c[1], b[1], c[0]);
+}
+
+// One vertex everywhere: the first that can be seen.
+void set_constant(TriangleInterpolation& interpolation) {
+  size_t vertex = 0;
+  while (vertex < 2 && interpolation.w[vertex] <= 0) {
+    ++vertex;
+  }
+  const double w = interpolation.w[vertex];
+  interpolation.per_w[vertex].at_anchor = w > 0 ? 1 / w : 1;
+}
+
+WindowPlane weighted_sum(const std::array<WindowPlane, 3>& planes, const std::array<double, 3>& weights) {
+  WindowPlane sum;
+  for (size_t i = 0; i < 3; ++i) {
+    sum.at_anchor += planes[i].at_anchor * weights[i];
+    sum.step_x += planes[i].step_x * weights[i];
+    sum.step_y += planes[i].step_y * weights[i];
+  }
+  return sum;
+}
+
+}  // namespace
+
+TriangleInterpolation make_interpolation(const VkViewport& viewport,
+                                         const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
+                                         int32_t anchor_y) {
+  TriangleInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y};
+  std::array<Vector, 3> rows;
+  std::array<double, 3> z{};
+  for (size_t i = 0; i < 3; ++i) {
+    rows[i] = window_row(viewport, positions_clip[i], anchor_x, anchor_y);
+    interpolation.w[i] = positions_clip[i][3];
+    z[i] = positions_clip[i][2];
+  }
+
+  const std::array<Vector, 3> adjugate = {cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])};
+  const double determinant = rows[0][0] * adjugate[0][0] + rows[0][1] * adjugate[0][1] + rows[0][2] * adjugate[0][2];
+  // Below this, rounding alone decides about the determinant.
+  constexpr double kMinRelativeDeterminant = 0x1p-48;
+  if (std::abs(determinant) <= kMinRelativeDeterminant * determinant_scale(rows[0], rows[1], rows[2])) {
+    set_constant(interpolation);
+  } else {
+    for (size_t i = 0; i < 3; ++i) {
+      interpolation.per_w[i] = {.at_anchor = adjugate[i][2] / determinant,
+                                .step_x = adjugate[i][0] / determinant,
+                                .step_y = adjugate[i][1] / determinant};
+    }
+  }
+
+  WindowPlane& depth = interpolation.depth_framebuffer;
+  depth = weighted_sum(interpolation.per_w, z);
+  const double depth_range = double{viewport.maxDepth} - double{viewport.minDepth};
+  depth.at_anchor = depth.at_anchor * depth_range + double{viewport.minDepth};
+  depth.step_x *= depth_range;
+  depth.step_y *= depth_range;
+  return interpolation;
+}
+
+PixelWeights TriangleInterpolation::constrained_weights(const std::array<double, 3>& l) const {
+  std::array<double, 3> weights{};
+  for (size_t i = 0; i < 3; ++i) {
+    weights[i] = std::max(0.0, l[i]);
+  }
+  const double sum = weights[0] + weights[1] + weights[2];
+  if (!(sum > 0)) {
+    constexpr VertexWeights kFirst{1, 0, 0};
+    return {.smooth = kFirst, .noperspective = kFirst};
+  }
+  const VertexWeights smooth{weights[0] / sum, weights[1] / sum, weights[2] / sum};
+  if (!(w[0] > 0 && w[1] > 0 && w[2] > 0)) {
+    return {.smooth = smooth, .noperspective = smooth};
+  }
+  for (size_t i = 0; i < 3; ++i) {
+    weights[i] *= w[i];
+  }
+  const double sum_window = weights[0] + weights[1] + weights[2];
+  return {.smooth = smooth,
+          .noperspective = {weights[0] / sum_window, weights[1] / sum_window, weights[2] / sum_window}};
+}
+
+}  // namespace fillrule::renderer

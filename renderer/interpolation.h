@@ -1,0 +1,93 @@
+// Values of a triangle at a pixel: depth, and the weights of its vertices for smooth and noperspective varyings
+// (Vulkan, "Basic Polygon Rasterization": barycentric coordinates; Olano and Greer 1997, homogeneous rasterization).
+//
+// For the original triangle, neither clipped nor snapped, with rows (X, Y, w), X/w and Y/w framebuffer coordinates in
+// pixels, the adjugate of the 3x3 matrix divided by its determinant gives three functions l_i, linear in the window:
+//   sum of l_i * w_i = 1                 l_i * w_i are the window barycentric coordinates (noperspective)
+//   sum of l_i = 1/w                     l_i / sum are the perspective-correct ones (smooth)
+//   sum of l_i * z_i = z / w             the depth, exactly linear
+// No vertex needs w > 0 for that. All in double precision, anchored at a pixel centre near the triangle.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+
+#include "cases/model/case.h"
+#include "renderer/depth.h"
+#include "renderer/fixed_point.h"
+
+namespace fillrule::renderer {
+
+// A function that is linear in the window; x and y in pixels from the anchor.
+struct WindowPlane {
+  double at_anchor = 0;
+  double step_x = 0;
+  double step_y = 0;
+  [[nodiscard]] double at(double x, double y) const { return at_anchor + step_x * x + step_y * y; }
+};
+
+// The weights of the three vertices; they add up to 1. All three are kept: of 1 less the two others, a weight much
+// smaller than they are would have no correct digit.
+using VertexWeights = std::array<double, 3>;
+
+struct PixelWeights {
+  VertexWeights smooth;
+  VertexWeights noperspective;
+};
+
+// The value with these weights, rounded to float32 once. Never infinite for finite values.
+inline float interpolate(float value0, float value1, float value2, const VertexWeights& weights) {
+  const double value = weights[0] * double{value0} + weights[1] * double{value1} + weights[2] * double{value2};
+  const auto rounded = static_cast<float>(value);
+  if (std::isinf(rounded) && std::isfinite(value)) {
+    return std::copysign(std::numeric_limits<float>::max(), rounded);
+  }
+  return rounded;
+}
+
+struct TriangleInterpolation {
+  int32_t anchor_x = 0;  // pixels
+  int32_t anchor_y = 0;
+  std::array<WindowPlane, 3> per_w;  // l_i
+  std::array<double, 3> w{};         // clip space
+  WindowPlane depth_framebuffer;     // before rounding and clamping
+
+  [[nodiscard]] float depth_d32_at(int32_t x, int32_t y) const {
+    return depth_d32(depth_framebuffer.at(x - anchor_x, y - anchor_y));
+  }
+
+  // At the pixel's centre.
+  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y) const {
+    const double x_from_anchor = x - anchor_x;
+    const double y_from_anchor = y - anchor_y;
+    const std::array<double, 3> l = {per_w[0].at(x_from_anchor, y_from_anchor),
+                                     per_w[1].at(x_from_anchor, y_from_anchor),
+                                     per_w[2].at(x_from_anchor, y_from_anchor)};
+    const double reciprocal_w = l[0] + l[1] + l[2];
+    const double greatest = std::max(std::max(std::abs(l[0]), std::abs(l[1])), std::abs(l[2]));
+    // Inside the triangle every l_i is in [0, 1/w].
+    constexpr double kPlausible = 2;
+    if (!(greatest <= kPlausible * reciprocal_w)) {
+      return constrained_weights(l);
+    }
+    const double w_at = 1 / reciprocal_w;
+    return {.smooth = {l[0] * w_at, l[1] * w_at, l[2] * w_at},
+            .noperspective = {l[0] * w[0], l[1] * w[1], l[2] * w[2]}};
+  }
+
+ private:
+  // For pixels that snapping has moved so far out of a sliver, or beyond the horizon 1/w = 0, that extrapolated
+  // weights mean nothing: the nearest weights inside the triangle.
+  [[nodiscard]] PixelWeights constrained_weights(const std::array<double, 3>& l) const;
+};
+
+// `anchor` should be a pixel near the triangle. If the triangle is too thin for its plane equations to mean anything,
+// its values are those of one vertex throughout.
+TriangleInterpolation make_interpolation(const VkViewport& viewport,
+                                         const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
+                                         int32_t anchor_y);
+
+}  // namespace fillrule::renderer

@@ -1,0 +1,220 @@
+#include "renderer/pipeline.h"
+
+#include <gmock/gmock.h>
+
+#include "renderer/test_scene.h"
+
+namespace fillrule::renderer {
+namespace {
+
+// Triangles from a pixel to several tiles and the whole target, some clipped: bins of every kind.
+TestScene many_triangles(SeededRandom& random, uint32_t triangles) {
+  TestScene scene(512, 384);
+  scene.state.depth_test = true;
+  scene.state.depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL;
+  for (uint32_t i = 0; i < triangles; ++i) {
+    const double size = std::exp2(random.uniform(0, i % 64 == 0 ? 11 : 6));
+    const double x = random.uniform(0, 512);
+    const double y = random.uniform(0, 384);
+    for (int k = 0; k < 3; ++k) {
+      scene.positions.push_back(scene.at(x + random.uniform(-size, size), y + random.uniform(-size, size),
+                                         random.uniform(-0.1, 1.05), random.uniform(i % 16 == 0 ? -0.5 : 0.5, 4)));
+      scene.values.push_back(static_cast<float>(random.uniform(0, 1)));
+    }
+  }
+  return scene;
+}
+
+TEST(Pipeline, SameBytesForAnyNumberOfThreads) {
+  SeededRandom random;
+  const TestScene scene = many_triangles(random, 40000);  // more than one batch
+  const TestPlanes expected = render(scene, {.threads = 1});
+  EXPECT_GT(*std::max_element(expected.hits.begin(), expected.hits.end()), 3U);
+  for (const uint32_t threads : {2U, 3U, 8U}) {
+    EXPECT_TRUE(same_bytes(render(scene, {.threads = threads}), expected)) << threads << " threads";
+  }
+}
+
+TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {
+  SeededRandom random;
+  TestScene scene = many_triangles(random, 6000);
+  scene.state.depth_test = false;
+  const TestPlanes all = render(scene, {.threads = 2});
+  // Drawn one by one, in order.
+  TestPlanes one_by_one = cleared_planes(scene);
+  TestScene single = scene;
+  for (uint32_t i = 0; i < 6000; ++i) {
+    single.positions.assign(scene.positions.begin() + 3 * i, scene.positions.begin() + 3 * i + 3);
+    single.values.assign(scene.values.begin() + 3 * i, scene.values.begin() + 3 * i + 3);
+    const TestPlanes before = one_by_one;
+    ASSERT_TRUE(render_into(single, one_by_one));
+    for (size_t pixel = 0; pixel < before.hits.size(); ++pixel) {
+      if (one_by_one.hits[pixel] != before.hits[pixel]) {
+        one_by_one.owner[pixel] = i;
+      }
+    }
+    if (i == 300) {
+      break;
+    }
+  }
+  TestScene first = scene;
+  first.positions.resize(301 * 3);
+  first.values.resize(301 * 3);
+  EXPECT_TRUE(same_bytes(render(first), one_by_one));
+  EXPECT_EQ(all.hits.size(), one_by_one.hits.size());
+}
+
+TEST(Pipeline, PrimitiveNumbersCountWhatIsNotDrawn) {
+  TestScene scene(16, 16);
+  scene.state.cull_mode = VK_CULL_MODE_BACK_BIT;
+  const auto add = [&](std::initializer_list<ClipPosition> triangle) {
+    for (const ClipPosition& position : triangle) {
+      scene.positions.push_back(position);
+    }
+  };
+  add({scene.at(1, 1), scene.at(15, 1), scene.at(1, 15)});              // back-facing
+  add({scene.at(1, 1), scene.at(1, 1), scene.at(1, 15)});               // no area
+  add({scene.at(1, 1, -1), scene.at(1, 15, -1), scene.at(15, 1, -1)});  // clipped away
+  add({scene.at(1, 1), scene.at(1, 15), scene.at(15, 1)});
+  scene.positions.push_back(scene.at(1, 1));  // incomplete
+  EXPECT_EQ(render(scene).owner[3 * 16 + 3], 3U);
+}
+
+TEST(Pipeline, IndexedEqualsNotIndexed) {
+  SeededRandom random;
+  TestScene scene = many_triangles(random, 100);
+  const TestPlanes expected = render(scene);
+  scene.indices.emplace();
+  for (uint32_t i = 0; i < 300; ++i) {
+    scene.indices->push_back(299 - i);
+  }
+  std::reverse(scene.positions.begin(), scene.positions.end());
+  std::reverse(scene.values.begin(), scene.values.end());
+  EXPECT_TRUE(same_bytes(render(scene), expected));
+}
+
+TEST(Pipeline, StripAndFanFillAQuadWithOneWinding) {
+  for (const auto topology : {VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN}) {
+    TestScene scene(16, 16);
+    scene.topology = topology;
+    scene.positions = {scene.at(0, 0), scene.at(0, 16), scene.at(16, 0), scene.at(16, 16)};
+    if (topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN) {
+      std::swap(scene.positions[2], scene.positions[3]);
+    }
+    const TestPlanes planes = render(scene);
+    EXPECT_EQ(planes.hits, std::vector<uint32_t>(256, 1));
+    EXPECT_EQ(planes.front_facing, std::vector<uint32_t>(256, 1));
+    EXPECT_GT(count_of(planes.owner, 0), 100U);
+    EXPECT_GT(count_of(planes.owner, 1), 100U);
+  }
+}
+
+TestScene everything(uint32_t width, uint32_t height) {
+  TestScene scene(width, height);
+  scene.positions = {{-9, -9, 0.5F, 1}, {30, -9, 0.5F, 1}, {-9, 30, 0.5F, 1}};
+  return scene;
+}
+
+PixelRect hit_pixels(const TestPlanes& planes) {
+  PixelRect rect{1 << 20, 1 << 20, 0, 0};
+  size_t count = 0;
+  for (size_t pixel = 0; pixel < planes.hits.size(); ++pixel) {
+    if (planes.hits[pixel] != 0) {
+      const auto x = static_cast<int32_t>(pixel % planes.width);
+      const auto y = static_cast<int32_t>(pixel / planes.width);
+      rect = {std::min(rect.left, x), std::min(rect.top, y), std::max(rect.right, x + 1),
+              std::max(rect.bottom, y + 1)};
+      ++count;
+    }
+  }
+  EXPECT_EQ(count, static_cast<size_t>(rect.width()) * static_cast<size_t>(rect.height()));
+  return rect;
+}
+
+TEST(Pipeline, FragmentsStayInViewportScissorAndTarget) {
+  TestScene scene = everything(70, 50);
+  EXPECT_EQ(hit_pixels(render(scene)), (PixelRect{0, 0, 70, 50}));
+  scene.state.viewport = {10.25F, 5.75F, 40.5F, 30, 0, 1};
+  EXPECT_EQ(hit_pixels(render(scene)), (PixelRect{10, 6, 51, 36}));
+  scene.state.viewport = {-20, -30, 60, 60, 0, 1};
+  EXPECT_EQ(hit_pixels(render(scene)), (PixelRect{0, 0, 40, 30}));
+  scene.state.scissor = {{7, 9}, {11, 0xFFFFFFFFU}};
+  EXPECT_EQ(hit_pixels(render(scene)), (PixelRect{7, 9, 18, 30}));
+  scene.state.scissor = {{33, 22}, {1, 1}};
+  EXPECT_EQ(hit_pixels(render(scene)), (PixelRect{33, 22, 34, 23}));
+}
+
+TEST(Pipeline, AnEmptyScissorOrAViewportBesideTheTargetDrawsNothing) {
+  TestScene scene = everything(16, 16);
+  scene.state.scissor = {{4, 4}, {0, 5}};
+  EXPECT_EQ(count_of(render(scene).hits, 0), 256U);
+  scene.state.scissor = {{16, 0}, {16, 16}};
+  EXPECT_EQ(count_of(render(scene).hits, 0), 256U);
+  scene.state.scissor = {{0, 0}, {16, 16}};
+  scene.state.viewport.x = 100;
+  EXPECT_EQ(count_of(render(scene).hits, 0), 256U);
+}
+
+TEST(Pipeline, ScissoringIsCropping) {
+  SeededRandom random;
+  TestScene scene = many_triangles(random, 300);
+  const TestPlanes whole = render(scene);
+  scene.state.scissor = {{101, 37}, {203, 155}};
+  const TestPlanes part = render(scene);
+  for (uint32_t y = 37; y < 37 + 155; ++y) {
+    for (uint32_t x = 101; x < 101 + 203; ++x) {
+      const size_t pixel = whole.pixel(x, y);
+      ASSERT_EQ(part.hits[pixel], whole.hits[pixel]);
+      ASSERT_EQ(std::bit_cast<uint32_t>(part.smooth[pixel]), std::bit_cast<uint32_t>(whole.smooth[pixel]));
+      ASSERT_EQ(part.depth[pixel], whole.depth[pixel]);
+    }
+  }
+}
+
+TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
+  const auto anchor_of = [](const VkRect2D& scissor, uint32_t size) {
+    TestScene scene = everything(64, 64);
+    scene.state.scissor = scissor;
+    const Result<PreparedDraw> prepared =
+        prepare_draw({.target_width = size, .target_height = size, .state = scene.state, .vertex_count = 3}, {});
+    EXPECT_TRUE(prepared);
+    const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
+    const TriangleInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);
+    return std::pair(interpolation.anchor_x, interpolation.anchor_y);
+  };
+  const auto whole = anchor_of({{0, 0}, {64, 64}}, 64);
+  EXPECT_EQ(whole, std::pair(10, 0));
+  EXPECT_EQ(anchor_of({{30, 30}, {4, 4}}, 64), whole);
+  EXPECT_EQ(anchor_of({{0, 0}, {64, 64}}, 5), whole);
+}
+
+TEST(Pipeline, RefusesWhatItCannotDraw) {
+  const auto error_of = [](const auto& change, const Options& options = {}) {
+    TestScene scene = everything(16, 16);
+    change(scene);
+    TestPlanes planes = cleared_planes(scene);
+    const Result<void> drawn = render_into(scene, planes, options);
+    EXPECT_EQ(count_of(planes.hits, 0), planes.hits.size());
+    return drawn ? std::string() : drawn.error().what;
+  };
+  using ::testing::HasSubstr;
+  EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.width = 0; }), HasSubstr("viewport of 0 x 16"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.height = 16385; }), HasSubstr("viewport of 16 x 16385"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.height = std::nanf(""); }), HasSubstr("viewport of"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.x = -40000; }), HasSubstr("viewport from (-40000"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.maxDepth = 2; }), HasSubstr("depth range 0 to 2"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST; }), HasSubstr("topology 1"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.indices = {{0, 1, 3}}; }), HasSubstr("index 3 in a draw of 3 vertices"));
+  EXPECT_THAT(error_of([](TestScene&) {}, {.subpixel_bits = 3}), HasSubstr("3 subpixel bits"));
+  EXPECT_THAT(error_of([](TestScene&) {}, {.subpixel_bits = 9}), HasSubstr("9 subpixel bits"));
+}
+
+TEST(Pipeline, RefusesADepthBufferOfAnotherSize) {
+  const TestScene scene = everything(16, 16);
+  TestPlanes planes = cleared_planes(scene);
+  planes.depth.pop_back();
+  EXPECT_FALSE(render_into(scene, planes));
+}
+
+}  // namespace
+}  // namespace fillrule::renderer

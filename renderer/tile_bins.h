@@ -1,0 +1,77 @@
+// Bins: for each tile the triangles that may touch it, in the order of submission. A tile's pixels belong to whoever
+// draws the tile, so any number of threads gives the same result.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "renderer/coverage.h"
+#include "renderer/fixed_point.h"
+#include "renderer/triangle_setup.h"
+
+namespace fillrule::renderer {
+
+// The tiles that a rectangle of pixels touches, row by row.
+class TileGrid {
+ public:
+  explicit TileGrid(const PixelRect& pixels);
+  [[nodiscard]] uint32_t count() const { return static_cast<uint32_t>(tiles_.width() * tiles_.height()); }
+  [[nodiscard]] PixelRect pixels(uint32_t tile) const;
+  // In tiles from the grid's first one; `pixels` must be within the grid's and not be empty.
+  [[nodiscard]] PixelRect tiles(const PixelRect& pixels) const;
+  [[nodiscard]] uint32_t index(int32_t column, int32_t row) const {
+    return static_cast<uint32_t>(row * tiles_.width() + column);
+  }
+
+ private:
+  PixelRect tiles_;
+};
+
+// A run of consecutive triangles, set up and sorted into tiles.
+class TriangleChunk {
+ public:
+  void clear();
+
+  // Room that setup_triangle() appends clipped outlines to.
+  [[nodiscard]] std::vector<FixedPosition>& polygon_vertices() { return polygon_vertices_; }
+  [[nodiscard]] const std::vector<FixedPosition>& polygon_vertices() const { return polygon_vertices_; }
+
+  void add(const SetupTriangle& triangle) { triangles_.push_back(triangle); }
+  void sort_into(const TileGrid& grid);
+
+  // An estimate: the areas of the bounding boxes in pixels, some more for each triangle.
+  [[nodiscard]] size_t cost() const;
+
+  // Calls visit(triangle) for each triangle that may touch the tile, in the order of submission.
+  template <typename Visit>
+  void for_each_in_tile(uint32_t tile, const Visit& visit) const;
+
+ private:
+  // A triangle in more tiles than this is looked at by every tile; so bins stay small.
+  static constexpr uint32_t kMaxTilesInBins = 16;
+
+  std::vector<SetupTriangle> triangles_;
+  std::vector<FixedPosition> polygon_vertices_;
+  std::vector<uint32_t> bin_begins_;   // tile by tile, and the end of the last
+  std::vector<uint32_t> bin_entries_;  // indices of triangles_, ascending within a tile
+  std::vector<uint32_t> large_;        // likewise, those in no bin
+};
+
+template <typename Visit>
+void TriangleChunk::for_each_in_tile(uint32_t tile, const Visit& visit) const {
+  auto small = bin_entries_.begin() + bin_begins_[tile];
+  const auto small_end = bin_entries_.begin() + bin_begins_[tile + 1];
+  for (const uint32_t large : large_) {
+    for (; small != small_end && *small < large; ++small) {
+      visit(triangles_[*small]);
+    }
+    visit(triangles_[large]);
+  }
+  for (; small != small_end; ++small) {
+    visit(triangles_[*small]);
+  }
+}
+
+}  // namespace fillrule::renderer

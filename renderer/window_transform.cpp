@@ -1,0 +1,83 @@
+#include "renderer/window_transform.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fillrule::renderer {
+namespace {
+
+bool is_finite(const ClipPosition& pos_clip) {
+  return std::isfinite(pos_clip[0]) && std::isfinite(pos_clip[1]) && std::isfinite(pos_clip[2]) &&
+         std::isfinite(pos_clip[3]);
+}
+
+bool is_inside_clip_volume(const ClipPosition& pos_clip) {
+  const float w = pos_clip[3];
+  return w > 0.0F && -w <= pos_clip[0] && pos_clip[0] <= w && -w <= pos_clip[1] && pos_clip[1] <= w &&
+         0.0F <= pos_clip[2] && pos_clip[2] <= w;
+}
+
+float guard_band(float centre_framebuffer, float half_extent) {
+  const double guard = (kGuardBandPixels - std::abs(double{centre_framebuffer})) / std::abs(double{half_extent});
+  // A viewport of almost no extent reaches nowhere with any factor.
+  constexpr double kMaxGuard = 0x1p64;
+  return std::nextafter(static_cast<float>(std::min(guard, kMaxGuard)), 0.0F);
+}
+
+}  // namespace
+
+WindowTransform::WindowTransform(const VkViewport& viewport, uint32_t subpixel_bits)
+    : half_width_(viewport.width / 2),
+      half_height_(viewport.height / 2),
+      centre_x_(viewport.x + half_width_),
+      centre_y_(viewport.y + half_height_),
+      guard_x_(guard_band(centre_x_, half_width_)),
+      guard_y_(guard_band(centre_y_, half_height_)),
+      subpixel_bits_(subpixel_bits) {}
+
+WindowVertex WindowTransform::window_vertex(const ClipPosition& pos_clip) const {
+  // Where w and 1/w both are normal floats.
+  constexpr float kMinInvertible = 0x1p-126F;
+  constexpr float kMaxInvertible = 0x1p126F;
+  if (is_inside_clip_volume(pos_clip) && pos_clip[3] >= kMinInvertible && pos_clip[3] <= kMaxInvertible) {
+    return {.position = project_inside(pos_clip)};
+  }
+  if (!is_finite(pos_clip)) {
+    return {.clip_code = kClipNotFinite};
+  }
+  const HomogeneousPosition<double> position{pos_clip[0], pos_clip[1], pos_clip[2], pos_clip[3]};
+  ClipCode code = 0;
+  for (uint32_t plane = 0; plane < kClipPlanes; ++plane) {
+    if (distance(static_cast<ClipPlane>(plane), position) < 0) {
+      code = static_cast<ClipCode>(code | (1U << plane));
+    }
+  }
+  if (code == 0 && position.w <= 0) {
+    code = kClipAtOrigin;
+  }
+  return {.position = code == 0 ? project(position) : FixedPosition{}, .clip_code = code};
+}
+
+FixedPosition WindowTransform::project_inside(const ClipPosition& pos_clip) const {
+  const float reciprocal_w = 1.0F / pos_clip[3];
+  const float x_framebuffer = std::fma(pos_clip[0] * reciprocal_w, half_width_, centre_x_);
+  const float y_framebuffer = std::fma(pos_clip[1] * reciprocal_w, half_height_, centre_y_);
+  return {snap(x_framebuffer, subpixel_bits_), snap(y_framebuffer, subpixel_bits_)};
+}
+
+FixedPosition WindowTransform::project(const HomogeneousPosition<double>& pos_clip) const {
+  return {snap(pos_clip.x / pos_clip.w * double{half_width_} + double{centre_x_}, subpixel_bits_),
+          snap(pos_clip.y / pos_clip.w * double{half_height_} + double{centre_y_}, subpixel_bits_)};
+}
+
+PixelRect WindowTransform::viewport_pixels() const {
+  const FixedPosition low = project_inside({-1, -1, 0, 1});
+  const FixedPosition high = project_inside({1, 1, 0, 1});
+  // A negative height turns top and bottom round.
+  return {first_pixel(std::min(low.x_fixed, high.x_fixed), subpixel_bits_),
+          first_pixel(std::min(low.y_fixed, high.y_fixed), subpixel_bits_),
+          first_pixel(std::max(low.x_fixed, high.x_fixed), subpixel_bits_),
+          first_pixel(std::max(low.y_fixed, high.y_fixed), subpixel_bits_)};
+}
+
+}  // namespace fillrule::renderer

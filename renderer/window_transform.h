@@ -1,0 +1,121 @@
+// From clip space to snapped framebuffer coordinates (Vulkan, "Coordinate Transformations" and "Controlling the
+// Viewport"), and which vertices need clipping first.
+#pragma once
+
+#include <cstdint>
+
+#include "cases/model/case.h"
+#include "renderer/fixed_point.h"
+
+namespace fillrule::renderer {
+
+// A clip-space position in more than float precision: Real is double or DoubleDouble. Every float is exact in it, and
+// no product of four floats overflows.
+template <typename Real>
+struct HomogeneousPosition {
+  Real x = 0;
+  Real y = 0;
+  Real z = 0;
+  Real w = 0;
+};
+
+// The planes against which triangles are clipped; each has a bit of its own in a vertex' clip code. The sides are
+// those of the guard band, not of the viewport: pixels outside the viewport are left out by a rectangle instead.
+enum class ClipPlane : uint8_t { kNear, kFar, kLeft, kRight, kTop, kBottom };
+inline constexpr uint32_t kClipPlanes = 6;
+
+using ClipCode = uint8_t;                        // bit i: outside of ClipPlane i
+inline constexpr ClipCode kClipAtOrigin = 0x40;  // (0, 0, 0, 0): inside of every plane, yet projected nowhere
+inline constexpr ClipCode kClipNotFinite = 0x80;
+
+struct WindowVertex {
+  FixedPosition position;  // only meaningful with clip code 0
+  ClipCode clip_code = 0;
+};
+
+class WindowTransform {
+ public:
+  // The viewport must be within Vulkan's limits (see validate() of pipeline.h); its height may be negative.
+  WindowTransform(const VkViewport& viewport, uint32_t subpixel_bits);
+
+  // Depends on the vertex alone, so that triangles which share it agree about it, clipped or not. A vertex inside the
+  // clip volume goes through lavapipe's float32 arithmetic (same snapped coordinate, same coverage); any other
+  // through double precision.
+  [[nodiscard]] WindowVertex window_vertex(const ClipPosition& pos_clip) const;
+
+  // Double precision all the way to the snap; w must be positive.
+  [[nodiscard]] FixedPosition project(const HomogeneousPosition<double>& pos_clip) const;
+
+  // Negative outside of the plane; linear in the position. For a position of floats the sign is exact in any Real.
+  template <typename Real>
+  [[nodiscard]] Real distance(ClipPlane plane, const HomogeneousPosition<Real>& pos_clip) const;
+
+  // Moves a position that lies on the plane but for rounding exactly onto it.
+  template <typename Real>
+  void put_on(ClipPlane plane, HomogeneousPosition<Real>& pos_clip) const;
+
+  // The pixels whose centres the viewport holds. Its corners are snapped like a vertex at NDC -1 or 1, hence the
+  // result equals clipping a polygon to the snapped viewport by the top-left rule.
+  [[nodiscard]] PixelRect viewport_pixels() const;
+
+  [[nodiscard]] uint32_t subpixel_bits() const { return subpixel_bits_; }
+
+ private:
+  [[nodiscard]] FixedPosition project_inside(const ClipPosition& pos_clip) const;
+
+  // x_framebuffer = x_ndc * half_width_ + centre_x_, in pixels; float32 as lavapipe has them.
+  float half_width_;
+  float half_height_;
+  float centre_x_;
+  float centre_y_;
+  // The guard band: |x| <= guard_x_ * w keeps |x_framebuffer| below kGuardBandPixels. Floats, so that the product
+  // with a float w is exact in double.
+  float guard_x_;
+  float guard_y_;
+  uint32_t subpixel_bits_;
+};
+
+template <typename Real>
+Real WindowTransform::distance(ClipPlane plane, const HomogeneousPosition<Real>& pos_clip) const {
+  switch (plane) {
+    case ClipPlane::kNear:
+      return pos_clip.z;
+    case ClipPlane::kFar:
+      return pos_clip.w - pos_clip.z;
+    case ClipPlane::kLeft:
+      return pos_clip.w * guard_x_ + pos_clip.x;
+    case ClipPlane::kRight:
+      return pos_clip.w * guard_x_ - pos_clip.x;
+    case ClipPlane::kTop:
+      return pos_clip.w * guard_y_ + pos_clip.y;
+    case ClipPlane::kBottom:
+      break;
+  }
+  return pos_clip.w * guard_y_ - pos_clip.y;
+}
+
+template <typename Real>
+void WindowTransform::put_on(ClipPlane plane, HomogeneousPosition<Real>& pos_clip) const {
+  switch (plane) {
+    case ClipPlane::kNear:
+      pos_clip.z = 0;
+      return;
+    case ClipPlane::kFar:
+      pos_clip.z = pos_clip.w;
+      return;
+    case ClipPlane::kLeft:
+      pos_clip.x = pos_clip.w * -guard_x_;
+      return;
+    case ClipPlane::kRight:
+      pos_clip.x = pos_clip.w * guard_x_;
+      return;
+    case ClipPlane::kTop:
+      pos_clip.y = pos_clip.w * -guard_y_;
+      return;
+    case ClipPlane::kBottom:
+      pos_clip.y = pos_clip.w * guard_y_;
+      return;
+  }
+}
+
+}  // namespace fillrule::renderer
