@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # The command as a user meets it: exit codes, outputs, files outside the repository. $1 is the command.
 set -uo pipefail
-fillrule=$1
+fillrule=$(realpath "$1")
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 failures=0

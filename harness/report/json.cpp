@@ -86,8 +86,9 @@ std::string to_json(const run::RunResult& result) {
              {{"reference_seconds", result.timing.reference_seconds},
               {"candidate_seconds", result.timing.candidate_seconds},
               {"judge_seconds", result.timing.judge_seconds}}}};
-  if (result.timing.reference_alone_seconds) {
-    json["timing"]["reference_alone_seconds"] = *result.timing.reference_alone_seconds;
+  if (result.timing.warm) {
+    json["timing"]["warm_suite_seconds"] = result.timing.warm->suite_seconds;
+    json["timing"]["warm_reference_alone_seconds"] = result.timing.warm->reference_alone_seconds;
   }
   json["cases"] = Json::array();
   for (const run::CaseResult& one : result.cases) json["cases"].push_back(case_json(one));

@@ -44,8 +44,13 @@ struct Timing {
   double reference_seconds = 0;  // drawing and reading back, during the run
   double candidate_seconds = 0;  // summed over threads
   double judge_seconds = 0;      // summed over threads
-  // The same cases drawn and read back by the reference with nothing else going on, the median of three.
-  std::optional<double> reference_alone_seconds;
+  // The same once more, now that every pipeline is there: the suite, and the reference's drawing and reading back
+  // with nothing else going on, in turn, the median of three each.
+  struct Warm {
+    double suite_seconds = 0;
+    double reference_alone_seconds = 0;
+  };
+  std::optional<Warm> warm;
 };
 
 struct Reference {

@@ -158,19 +158,49 @@ struct SuiteRunner::State {
     queue.close();
   }
 
-  double measure_reference_alone(std::span<const Case> cases) {
-    std::array<double, 3> seconds{};
+  void draw_with_reference_alone(std::span<const Case> cases) {
     std::vector<CaseResult> ignored(cases.size());
-    for (double& run : seconds) {
-      const auto start = Clock::now();
-      for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
-        const size_t size = std::min(kBatchSize, cases.size() - begin);
-        draw_batch(cases.subspan(begin, size), std::span(ignored).subspan(begin, size));
-      }
-      run = seconds_since(start);
+    for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
+      const size_t size = std::min(kBatchSize, cases.size() - begin);
+      draw_batch(cases.subspan(begin, size), std::span(ignored).subspan(begin, size));
     }
-    std::sort(seconds.begin(), seconds.end());
-    return seconds[1];
+  }
+
+  // Draws and judges everything.
+  void run(std::span<const Case> cases, std::vector<CaseResult>& results, Timing& timing) {
+    const uint32_t jobs = std::max(options.jobs, 1U);
+    std::vector<Timing> timings(jobs);
+    {
+      JobQueue queue(2 * kBatchSize);
+      const Workers workers(jobs, [&](uint32_t worker) {
+        while (std::optional<Job> job = queue.pop()) {
+          finish(cases[job->index], job->reference.get(), results[job->index], timings[worker]);
+        }
+      });
+      feed(cases, results, queue, timing);
+    }
+    for (const Timing& of_worker : timings) {
+      timing.candidate_seconds += of_worker.candidate_seconds;
+      timing.judge_seconds += of_worker.judge_seconds;
+    }
+  }
+
+  Timing::Warm measure_warm(std::span<const Case> cases) {
+    std::array<double, 3> suite{};
+    std::array<double, 3> alone{};
+    for (size_t i = 0; i < suite.size(); ++i) {
+      auto start = Clock::now();
+      draw_with_reference_alone(cases);
+      alone[i] = seconds_since(start);
+      start = Clock::now();
+      std::vector<CaseResult> ignored(cases.size());
+      Timing ignored_timing;
+      run(cases, ignored, ignored_timing);
+      suite[i] = seconds_since(start);
+    }
+    std::sort(suite.begin(), suite.end());
+    std::sort(alone.begin(), alone.end());
+    return {.suite_seconds = suite[1], .reference_alone_seconds = alone[1]};
   }
 };
 
@@ -213,25 +243,9 @@ RunResult SuiteRunner::run(std::span<const Case> cases) {
     result.cases[i].name = cases[i].name;
     result.cases[i].file = cases[i].file;
   }
-  const uint32_t jobs = std::max(state_->options.jobs, 1U);
-  std::vector<Timing> timings(jobs);
-  {
-    JobQueue queue(2 * kBatchSize);
-    const Workers workers(jobs, [&](uint32_t worker) {
-      while (std::optional<Job> job = queue.pop()) {
-        state_->finish(cases[job->index], job->reference.get(), result.cases[job->index], timings[worker]);
-      }
-    });
-    state_->feed(cases, result.cases, queue, result.timing);
-  }
-  for (const Timing& timing : timings) {
-    result.timing.candidate_seconds += timing.candidate_seconds;
-    result.timing.judge_seconds += timing.judge_seconds;
-  }
+  state_->run(cases, result.cases, result.timing);
   result.summary = summarise(result.cases, seconds_since(start));
-  if (state_->reference && state_->options.measure_reference_alone) {
-    result.timing.reference_alone_seconds = state_->measure_reference_alone(cases);
-  }
+  if (state_->reference && state_->options.measure_alone) result.timing.warm = state_->measure_warm(cases);
   return result;
 }
 

@@ -28,8 +28,8 @@ struct RunOptions {
   std::vector<std::string> driver_files;
   judge::Profile profile;
   uint32_t jobs = 1;
-  bool measure_reference_alone = false;
-  bool validation = false;  // Vulkan's validation layers
+  bool measure_alone = false;  // fill Timing's warm figures
+  bool validation = false;     // Vulkan's validation layers
 };
 
 // Both parties' pictures of one case, and the verdict with its maps.

@@ -1,0 +1,40 @@
+// What several commands have in common: options, the suite, errors on the terminal.
+#pragma once
+
+#include <CLI/App.hpp>
+#include <string>
+#include <vector>
+
+#include "cases/format/suite.h"
+#include "cases/model/result.h"
+#include "harness/run/suite_runner.h"
+
+namespace fillrule::cli {
+
+void print_error(const Error& error);
+
+// Which cases.
+struct SuiteOptions {
+  std::vector<std::string> selectors;  // cases, files, folders, globs
+  std::string root;                    // the folder that case names are relative to
+};
+void add_suite_options(CLI::App& command, SuiteOptions& options);
+
+// The cases that were asked for. Errors are printed, and the other cases stay.
+format::Suite load(const SuiteOptions& options);
+
+// Who is judged against whom, and how strictly.
+struct PartyOptions {
+  run::RunOptions run;
+  std::vector<std::string> profiles;
+};
+void add_party_options(CLI::App& command, PartyOptions& options);
+
+// Vulkan drivers that are not installed in the system: what ci/swiftshader has fetched, if it has.
+std::vector<std::string> driver_files();
+
+// The runner, or else the error is printed and `exit_code` set. A candidate that is not there is a mistake on the
+// command line; a device that is not there is not.
+Result<run::SuiteRunner> create_runner(const PartyOptions& options, int& exit_code);
+
+}  // namespace fillrule::cli

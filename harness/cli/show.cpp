@@ -1,0 +1,63 @@
+#include <fmt/core.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "harness/cli/command.h"
+#include "harness/cli/options.h"
+#include "harness/report/pictures.h"
+#include "harness/report/terminal.h"
+
+namespace fillrule::cli {
+namespace {
+
+struct ShowOptions {
+  SuiteOptions suite;
+  PartyOptions parties;
+  std::string folder = "build/show";
+};
+
+// Draws, judges, writes and tells of one case.
+int show_case(const Case& one, run::SuiteRunner& runner, const std::string& folder) {
+  const Result<run::Drawing> drawing = runner.draw(one);
+  if (!drawing) {
+    print_error(drawing.error());
+    return kBadInput;
+  }
+  const auto paths = report::write_pictures(folder, one, *drawing);
+  if (!paths) {
+    print_error(paths.error());
+    return kBadInput;
+  }
+  const bool failed = drawing->verdict.candidate_faults() > 0;
+  fmt::print("{}", report::case_text({.name = one.name,
+                                      .file = one.file,
+                                      .status = failed ? run::Status::kFailed : run::Status::kPassed,
+                                      .verdict = drawing->verdict}));
+  for (const std::string& path : *paths) fmt::print("    {}\n", path);
+  return failed ? kMismatch : kConforms;
+}
+
+int show_cases(const ShowOptions& options) {
+  const format::Suite suite = load(options.suite);
+  int exit_code = kConforms;
+  Result<run::SuiteRunner> runner = create_runner(options.parties, exit_code);
+  if (!runner) return exit_code;
+  exit_code = suite.errors.empty() ? kConforms : kBadInput;
+  for (const Case& one : suite.cases) exit_code = std::max(exit_code, show_case(one, *runner, options.folder));
+  return exit_code;
+}
+
+}  // namespace
+
+void add_show(CLI::App& app, int& exit_code) {
+  CLI::App* const command = app.add_subcommand("show", "write the pictures of cases, differing or not");
+  const auto options = std::make_shared<ShowOptions>();
+  add_suite_options(*command, options->suite);
+  command->get_option("cases")->required();
+  add_party_options(*command, options->parties);
+  command->add_option("--report", options->folder, "where the pictures go")->type_name("DIR")->capture_default_str();
+  command->callback([options, &exit_code] { exit_code = show_cases(*options); });
+}
+
+}  // namespace fillrule::cli
