@@ -147,18 +147,18 @@ std::vector<const toml::array*> find_varyings(const toml::table& table, const st
 }
 
 VkPrimitiveTopology read_topology(const toml::table& table, Values& values) {
-  constexpr VkPrimitiveTopology fallback = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  constexpr VkPrimitiveTopology kFallback = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   const toml::node* const node = table.get("topology");
-  if (node == nullptr) return fallback;
+  if (node == nullptr) return kFallback;
   const auto name = values.text(*node, "topology");
-  if (!name) return fallback;
+  if (!name) return kFallback;
   if (std::find(kUnsupportedTopologies.begin(), kUnsupportedTopologies.end(), *name) ==
       kUnsupportedTopologies.end()) {
-    return values.enumerator(*node, "topology", kTopologies).value_or(fallback);
+    return values.enumerator(*node, "topology", kTopologies).value_or(kFallback);
   }
   values.diagnostics().add(place_of(*node), fmt::format("topology \"{}\" is not supported yet", *name),
                            fmt::format("supported: {}", fmt::join(enum_names(kTopologies), ", ")));
-  return fallback;
+  return kFallback;
 }
 
 // Nothing if the draw has no positions to go on with.

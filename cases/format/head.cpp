@@ -1,4 +1,7 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "cases/format/sections.h"
 
@@ -39,6 +42,29 @@ std::vector<std::string> read_tags(const toml::table& root, Diagnostics& diagnos
   return tags;
 }
 
+std::vector<OptOut> read_opt_outs(const toml::table& root, Diagnostics& diagnostics) {
+  std::vector<OptOut> opt_outs;
+  const toml::node* const node = root.get("opt_out");
+  const toml::table* const table = node == nullptr ? nullptr : as_table(*node, "opt_out", diagnostics);
+  if (table == nullptr) return opt_outs;
+  for (const Entry& entry : in_file_order(*table)) {
+    const std::string check = entry.name();
+    if (std::find(kChecks.begin(), kChecks.end(), check) == kChecks.end()) {
+      diagnostics.add(place_of(*entry.key), fmt::format("there is no check \"{}\"", check),
+                      fmt::format("the checks are: {}", fmt::join(kChecks, ", ")));
+      continue;
+    }
+    if (!entry.value->is_string()) wrong_type(*entry.value, check, "a string, the reason", diagnostics);
+    const std::string reason = entry.value->value_or(std::string());
+    if (entry.value->is_string() && trim(reason).empty()) {
+      diagnostics.add(place_of(*entry.value), fmt::format("{} is empty", check),
+                      "give the reason why the check does not fit this case");
+    }
+    opt_outs.push_back({.check = check, .reason = reason});
+  }
+  return opt_outs;
+}
+
 }  // namespace
 
 void read_head(const toml::table& root, Diagnostics& diagnostics, Case& head) {
@@ -48,6 +74,7 @@ void read_head(const toml::table& root, Diagnostics& diagnostics, Case& head) {
       read_required(root, "spec", "name the section of the Vulkan specification: spec = \"...\"", diagnostics);
   head.origin = root.contains("origin") ? read_string(root, "origin", diagnostics) : "constructed";
   head.tags = read_tags(root, diagnostics);
+  head.opt_outs = read_opt_outs(root, diagnostics);
 }
 
 }  // namespace fillrule::format

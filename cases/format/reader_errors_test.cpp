@@ -49,7 +49,15 @@ TEST(BadHead, UnknownKey) {
             "a.toml:4:1: unknown key \"titel\" in the case file\n  hint: did you mean \"title\"?\n");
   EXPECT_EQ(errors_with_draw("blue = 'x'\n"),
             "a.toml:4:1: unknown key \"blue\" in the case file\n  hint: known keys: title, why, spec, origin, tags, "
-            "target, state, varyings, let, sweep, draw\n");
+            "opt_out, target, state, varyings, let, sweep, draw\n");
+}
+
+TEST(BadHead, OptOuts) {
+  EXPECT_EQ(errors_with_draw("[opt_out]\nrotated = 'x'\nsecond_run = 3\nscissor_crop = ' '\n"),
+            "a.toml:5:1: there is no check \"rotated\"\n  hint: the checks are: second_run, any_number_of_threads, "
+            "rotated_vertices, flipped_winding, scaled_clip_space, scissor_crop\n"
+            "a.toml:6:14: second_run must be a string, the reason, not an integer\n"
+            "a.toml:7:16: scissor_crop is empty\n  hint: give the reason why the check does not fit this case\n");
 }
 
 TEST(BadHead, WrongTypes) {

@@ -12,7 +12,7 @@
 
 namespace fillrule::format {
 
-// title, why, spec, origin and tags, into `head`. They hold no variables.
+// title, why, spec, origin, tags and opt_out, into `head`. They hold no variables.
 void read_head(const toml::table& root, Diagnostics& diagnostics, Case& head);
 
 // [target]

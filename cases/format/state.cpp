@@ -70,19 +70,19 @@ VkRect2D read_scissor(const toml::node& node, const Target& target, Values& valu
   const toml::table* const table = as_table(node, "scissor", values.diagnostics());
   if (table == nullptr) return scissor;
   check_keys({*table, "scissor"}, {"x", "y", "width", "height"}, values.diagnostics());
-  constexpr int64_t max_int32 = std::numeric_limits<int32_t>::max();
+  constexpr int64_t kMaxInt32 = std::numeric_limits<int32_t>::max();
   // Vulkan: the offset is not negative and offset + extent does not overflow int32.
   const auto read = [&](std::string_view key, int64_t fallback) {
     const toml::node* const number = table->get(key);
     if (number == nullptr) return fallback;
-    return values.integer(*number, fmt::format("scissor {}", key), {.min = 0, .max = max_int32}).value_or(fallback);
+    return values.integer(*number, fmt::format("scissor {}", key), {.min = 0, .max = kMaxInt32}).value_or(fallback);
   };
   const int64_t x = read("x", 0);
   const int64_t y = read("y", 0);
   scissor.offset = {.x = static_cast<int32_t>(x), .y = static_cast<int32_t>(y)};
   scissor.extent = {.width = static_cast<uint32_t>(read("width", scissor.extent.width)),
                     .height = static_cast<uint32_t>(read("height", scissor.extent.height))};
-  if (x + int64_t{scissor.extent.width} > max_int32 || y + int64_t{scissor.extent.height} > max_int32) {
+  if (x + int64_t{scissor.extent.width} > kMaxInt32 || y + int64_t{scissor.extent.height} > kMaxInt32) {
     values.diagnostics().add(place_of(node), "scissor ends beyond the range of int32",
                              "Vulkan demands x + width and y + height up to 2147483647");
   }

@@ -35,9 +35,9 @@ class SuiteTest : public ::testing::Test {
     std::ofstream(top_ / path) << kHead << body;
   }
 
-  std::string at(const std::string& path) const { return (top_ / path).generic_string(); }
+  [[nodiscard]] std::string at(const std::string& path) const { return (top_ / path).generic_string(); }
 
-  std::vector<std::string> names(std::vector<std::string> selectors) {
+  std::vector<std::string> names(const std::vector<std::string>& selectors) {
     suite_ = load_suite(at("suite"), selectors);
     std::vector<std::string> names;
     for (const Case& one : suite_.cases) names.push_back(one.name);
@@ -45,7 +45,7 @@ class SuiteTest : public ::testing::Test {
   }
 
   // Of the last names(); without the temporary folder's path.
-  std::string errors() const {
+  [[nodiscard]] std::string errors() const {
     std::string text;
     for (const Error& error : suite_.errors) text += to_string(error) + '\n';
     const std::string folder = top_.generic_string() + '/';
@@ -138,9 +138,10 @@ TEST_F(SuiteTest, TheOtherFilesOfABadOneStillCount) {
   write("suite/coverage/bad.toml", "x = 1\n" + kDraw);
   EXPECT_THAT(names({"coverage/*"}),
               ElementsAre("coverage/shared_diagonal", "coverage/tie[a=1]", "coverage/tie[a=2]"));
-  EXPECT_EQ(errors(),
-            "suite/coverage/bad.toml:4:1: unknown key \"x\" in the case file\n"
-            "  hint: known keys: title, why, spec, origin, tags, target, state, varyings, let, sweep, draw\n");
+  EXPECT_EQ(
+      errors(),
+      "suite/coverage/bad.toml:4:1: unknown key \"x\" in the case file\n"
+      "  hint: known keys: title, why, spec, origin, tags, opt_out, target, state, varyings, let, sweep, draw\n");
   EXPECT_THAT(names({"coverage/bad[x=1]"}), IsEmpty());
   EXPECT_EQ(suite_.errors.size(), 1U);
 }

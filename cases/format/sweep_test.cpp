@@ -19,7 +19,8 @@ std::vector<std::string> names_of(const std::string& body) {
 // The x coordinates of a draw with this one expression.
 std::vector<float> x_of(const std::string& body, const std::string& expression) {
   std::vector<float> x;
-  for (const Case& one : cases_of(body + "[[draw]]\npositions = [['" + expression + "', 0, 0, 1]]\n")) {
+  const std::string draw = "[[draw]]\npositions = [['" + expression + "', 0, 0, 1]]\n";
+  for (const Case& one : cases_of(body + draw)) {
     x.push_back(one.draws.at(0).positions.at(0)[0]);
   }
   return x;

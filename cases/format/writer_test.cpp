@@ -20,6 +20,7 @@ uint32_t bits(float value) {
 
 std::vector<uint32_t> bits(const std::vector<float>& values) {
   std::vector<uint32_t> result;
+  result.reserve(values.size());
   for (const float value : values) result.push_back(bits(value));
   return result;
 }
@@ -58,6 +59,7 @@ void expect_same(const Case& a, const Case& b) {
   EXPECT_EQ(a.spec, b.spec);
   EXPECT_EQ(a.origin, b.origin);
   EXPECT_EQ(a.tags, b.tags);
+  EXPECT_EQ(a.opt_outs, b.opt_outs);
   EXPECT_EQ(a.target.width, b.target.width);
   EXPECT_EQ(a.target.height, b.target.height);
   EXPECT_EQ(a.target.depth_format, b.target.depth_format);
@@ -81,6 +83,9 @@ class RandomCase {
   Case make() {
     Case one{.title = text(), .why = text(), .spec = text(), .origin = text()};
     for (uint32_t i = number(3); i > 0; --i) one.tags.push_back(text());
+    for (const auto check : kChecks) {
+      if (number(3) == 0) one.opt_outs.push_back({.check = std::string(check), .reason = fmt::format("r{}", text())});
+    }
     one.target.width = 1 + number(kMaxTargetSize);
     one.target.height = 1 + number(kMaxTargetSize);
     one.target.clear_depth = unit();

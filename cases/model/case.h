@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fillrule {
@@ -22,7 +23,8 @@ inline constexpr uint32_t kMaxVaryingComponents = 4;
 // Clip space, (x, y, z, w), before any clipping or division.
 using ClipPosition = std::array<float, 4>;
 
-// How a varying is interpolated (Vulkan specification, "Interpolation decorations"); SPIR-V has no enumeration for it.
+// How a varying is interpolated (Vulkan specification, "Interpolation decorations"); SPIR-V has no enumeration for
+// it.
 enum class Interpolation : uint8_t { kSmooth, kNoperspective, kFlat };
 
 struct Varying {
@@ -40,8 +42,8 @@ struct Target {
   float clear_depth = 1.0F;
 };
 
-// The fixed-function state of one draw. The viewport and the scissor are in framebuffer coordinates: pixels, origin at
-// the top left, y down.
+// The fixed-function state of one draw. The viewport and the scissor are in framebuffer coordinates: pixels, origin
+// at the top left, y down.
 struct RasterState {
   VkViewport viewport{};
   VkRect2D scissor{};
@@ -61,6 +63,18 @@ struct Draw {
   std::optional<std::vector<uint32_t>> indices;  // absent: vertices are used in their order
 };
 
+// The metamorphic checks: what must come out when a case is drawn in another way (harness/judge/metamorphic.h). A
+// case may opt out of one by name, with a reason.
+inline constexpr std::array<std::string_view, 6> kChecks{"second_run",        "any_number_of_threads",
+                                                         "rotated_vertices",  "flipped_winding",
+                                                         "scaled_clip_space", "scissor_crop"};
+
+struct OptOut {
+  std::string check;
+  std::string reason;
+  bool operator==(const OptOut&) const = default;
+};
+
 struct Case {
   // The head. `name` is the file's path below the suite's folder without its ending, then the sweep's values:
   // "clipping/near_plane[angle=30]".
@@ -71,6 +85,7 @@ struct Case {
   std::string spec;
   std::string origin;
   std::vector<std::string> tags;
+  std::vector<OptOut> opt_outs;
 
   Target target;
   std::vector<Varying> varyings;

@@ -103,6 +103,7 @@ void add_run(CLI::App& app, int& exit_code) {
       ->type_name("DIR");
   command->add_option("--json", options->json_file, "write the results to this file too")->type_name("FILE");
   command->add_option("--jobs", run.jobs, "cases judged at the same time")->check(CLI::Range(1, 1024));
+  command->add_flag("--checks,!--no-checks", run.checks, "run the metamorphic checks too (they are run unless forbidden)");
   command->add_flag("--timing", run.measure_alone, "tell where the time went, and what the reference alone takes");
   command->add_flag("--verbose,-v", options->verbose, "tell of every case, not only of failures");
   command->add_flag("--quiet,-q", options->quiet, "the summary alone");

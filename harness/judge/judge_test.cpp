@@ -14,9 +14,10 @@ namespace fillrule::judge {
 namespace {
 
 constexpr uint32_t kSize = 16;
+constexpr double kHalfSize = kSize / 2.0;
 
 ClipPosition at(double x, double y, double z = 0.5, double w = 1) {
-  return {static_cast<float>((x / (kSize / 2) - 1) * w), static_cast<float>((y / (kSize / 2) - 1) * w),
+  return {static_cast<float>((x / kHalfSize - 1) * w), static_cast<float>((y / kHalfSize - 1) * w),
           static_cast<float>(z * w), static_cast<float>(w)};
 }
 
@@ -27,7 +28,7 @@ Draw draw_of(std::vector<ClipPosition> positions) {
   draw.state.depth_test = true;
   draw.state.depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL;
   for (size_t i = 0; i < draw.positions.size(); ++i) {
-    const float corner = static_cast<float>(i % 3);
+    const auto corner = static_cast<float>(i % 3);
     draw.varyings.insert(draw.varyings.end(), {corner, 1 - corner, corner + 10});
   }
   return draw;
@@ -50,7 +51,8 @@ Planes perfect(const Case& test_case) {
   Planes planes = Planes::cleared(kSize, kSize, 1, component_count(test_case.varyings), test_case.target.clear_depth);
   for (size_t index = 0; index < planes.hits.size(); ++index) {
     const double x = static_cast<double>(index % kSize) + 0.5;
-    const double y = static_cast<double>(index / kSize) + 0.5;
+    const size_t row = index / kSize;
+    const double y = static_cast<double>(row) + 0.5;
     std::vector<exact::Entry> entries;
     expectation.collect(index, entries);
     for (const exact::Entry& entry : entries) {

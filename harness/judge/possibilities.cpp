@@ -85,7 +85,8 @@ const Possibilities& Replay::at(size_t index) {
   possibilities_.outcomes.assign(1, Outcome{.owner_certain = true, .depth_certain = true});
   expectation_.collect(index, entries_);
   const double x = static_cast<double>(index % case_.target.width) + 0.5;
-  const double y = static_cast<double>(index / case_.target.width) + 0.5;
+  const size_t row = index / case_.target.width;
+  const double y = static_cast<double>(row) + 0.5;
   if (top_left_) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
     possibilities_.in_doubt = possibilities_.in_doubt || entry.coverage == Coverage::kMay;

@@ -42,7 +42,7 @@ class ValueCache {
     exact::TriangleValues triangle;
     std::vector<exact::TriangleValues::Component> components;
   };
-  Values& at(uint32_t primitive);
+  Values& at(uint32_t number);
 
   const Case& case_;
   const exact::Expectation& expectation_;

@@ -72,7 +72,8 @@ bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
   begin_ = begin;
   size_ = end - begin;
   x_ = static_cast<double>(begin % planes_.width) + 0.5;
-  y_ = static_cast<double>(begin / planes_.width) + 0.5;
+  const size_t row = begin / planes_.width;
+  y_ = static_cast<double>(row) + 0.5;
   has_w_ = false;
   w_.resize(size_);
   expected_.resize(size_);

@@ -36,7 +36,7 @@ class RowJudge {
 
  private:
   enum class Landing : uint8_t { kUnknown, kCertain, kUncertain };
-  Landing landing_of(uint32_t primitive);
+  Landing landing_of(uint32_t number);
 
   const Case& case_;
   const Planes& planes_;

@@ -33,7 +33,10 @@ class PartyJudge {
 
  private:
   [[nodiscard]] double x_of(size_t index) const { return static_cast<double>(index % planes_.width) + 0.5; }
-  [[nodiscard]] double y_of(size_t index) const { return static_cast<double>(index / planes_.width) + 0.5; }
+  [[nodiscard]] double y_of(size_t index) const {
+    const size_t row = index / planes_.width;
+    return static_cast<double>(row) + 0.5;
+  }
   [[nodiscard]] Standing depth_of(const Outcome& outcome, size_t index) const;
 
   const Case& case_;

@@ -58,6 +58,10 @@ Json case_json(const run::CaseResult& result) {
             {"undefined_samples", result.verdict.undefined_samples},
             {"planes", std::move(planes)}};
   if (!result.message.empty()) json["message"] = result.message;
+  json["checks"] = Json::array();
+  for (const judge::CheckResult& check : result.checks) {
+    json["checks"].push_back({{"name", check.name}, {"outcome", name_of(check.outcome)}, {"message", check.message}});
+  }
   return json;
 }
 
@@ -75,6 +79,7 @@ std::string to_json(const run::RunResult& result) {
               {"imprecise", summary.imprecise},
               {"candidate_faults", summary.candidate_faults},
               {"reference_faults", summary.reference_faults},
+              {"failed_checks", summary.failed_checks},
               {"wall_seconds", summary.wall_seconds}}},
             {"candidate", {{"name", result.candidate}, {"subpixel_bits", result.candidate_subpixel_bits}}},
             {"reference",
@@ -85,7 +90,8 @@ std::string to_json(const run::RunResult& result) {
             {"timing",
              {{"reference_seconds", result.timing.reference_seconds},
               {"candidate_seconds", result.timing.candidate_seconds},
-              {"judge_seconds", result.timing.judge_seconds}}}};
+              {"judge_seconds", result.timing.judge_seconds},
+              {"check_seconds", result.timing.check_seconds}}}};
   if (result.timing.warm) {
     json["timing"]["warm_suite_seconds"] = result.timing.warm->suite_seconds;
     json["timing"]["warm_reference_alone_seconds"] = result.timing.warm->reference_alone_seconds;

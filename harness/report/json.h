@@ -8,7 +8,7 @@
 
 namespace fillrule::report {
 
-// {summary, candidate, reference, timing, cases: [{name, file, status, message, seconds, samples, may_samples,
+// {summary, candidate, reference, timing, cases: [{name, file, status, message, seconds, samples, may_samples, checks,
 // planes: {NAME: {identical, permitted, imprecise, candidate_faults, reference_faults, first, worst}}}]}
 std::string to_json(const run::RunResult& result);
 

@@ -32,4 +32,18 @@ std::string_view name_of(run::Status status) {
   return "";
 }
 
+std::string_view name_of(judge::CheckResult::Outcome outcome) {
+  switch (outcome) {
+    case judge::CheckResult::Outcome::kPassed:
+      return "passed";
+    case judge::CheckResult::Outcome::kFailed:
+      return "failed";
+    case judge::CheckResult::Outcome::kOptedOut:
+      return "opted out";
+    case judge::CheckResult::Outcome::kDoesNotFit:
+      return "does not fit";
+  }
+  return "";
+}
+
 }  // namespace fillrule::report

@@ -10,5 +10,6 @@ namespace fillrule::report {
 
 std::string_view name_of(judge::Verdict verdict);
 std::string_view name_of(run::Status status);
+std::string_view name_of(judge::CheckResult::Outcome outcome);
 
 }  // namespace fillrule::report

@@ -21,7 +21,7 @@ uint32_t scale_for(const Target& target) {
   return std::max(1U, kWantedWidth / std::max(target.width, target.height));
 }
 
-Result<void> write_image(const std::string& path, const OIIO::ImageSpec& spec, OIIO::TypeDesc type,
+Result<void> write_image(const std::string& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
                          const void* data) {
   const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
   if (!output) return tl::unexpected(Error{.file = path, .what = "cannot be written: " + OIIO::geterror()});

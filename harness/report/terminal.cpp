@@ -78,12 +78,16 @@ std::string case_text(const run::CaseResult& result) {
     if (is_identical(plane)) continue;
     text += plane_text(plane);
   }
+  for (const judge::CheckResult& check : result.checks) {
+    if (check.outcome == judge::CheckResult::Outcome::kFailed) {
+      text += fmt::format("    check {}: {}\n", check.name, check.message);
+    }
+  }
   if (result.status == run::Status::kFailed) text += fmt::format("    see it: fillrule show '{}'\n", result.name);
   return text;
 }
 
-std::string summary_text(const run::RunResult& result) {
-  const run::Summary& summary = result.summary;
+std::string parties_text(const run::RunResult& result) {
   std::string text =
       fmt::format("candidate {} ({} subpixel bits) against ", result.candidate, result.candidate_subpixel_bits);
   if (result.reference.name.empty()) {
@@ -92,8 +96,15 @@ std::string summary_text(const run::RunResult& result) {
     text += fmt::format("{} ({}, {}, {} subpixel bits) and the oracle\n", result.reference.driver,
                         result.reference.name, result.reference.version, result.reference.subpixel_bits);
   }
+  return text;
+}
+
+std::string summary_text(const run::RunResult& result) {
+  const run::Summary& summary = result.summary;
+  std::string text = parties_text(result);
   text += fmt::format("{} cases: {} passed, {} failed, {} skipped, in {:.2f} s\n", summary.cases, summary.passed,
                       summary.failed, summary.skipped, summary.wall_seconds);
+  if (summary.failed_checks > 0) text += fmt::format("{} metamorphic checks failed\n", summary.failed_checks);
   text += fmt::format(
       "samples over all planes: {} identical, {} permitted, {} imprecise, {} candidate faults, {} reference faults\n",
       summary.identical, summary.permitted, summary.imprecise, summary.candidate_faults, summary.reference_faults);
@@ -108,9 +119,10 @@ std::string timing_text(const run::RunResult& result) {
       "timing: {:.3f} s in all, pipelines made on the way, {:.0f} cases a second\n"
       "  reference (drawing and reading back)  {:.3f} s; the run took {:.2f} times that\n"
       "  candidate (all threads)               {:.3f} s\n"
-      "  oracle and judge (all threads)        {:.3f} s\n",
+      "  oracle and judge (all threads)        {:.3f} s\n"
+      "  metamorphic checks (all threads)      {:.3f} s\n",
       wall, cases / wall, timing.reference_seconds, wall / timing.reference_seconds, timing.candidate_seconds,
-      timing.judge_seconds);
+      timing.judge_seconds, timing.check_seconds);
   if (timing.warm) {
     const auto& [suite, alone] = *timing.warm;
     text += fmt::format(

@@ -11,7 +11,10 @@ namespace fillrule::report {
 // first and the worst sample with both values, the exact one and the tolerance.
 std::string case_text(const run::CaseResult& result);
 
-// Counts of cases and samples.
+// Who was judged against whom.
+std::string parties_text(const run::RunResult& result);
+
+// The parties, and counts of cases and samples.
 std::string summary_text(const run::RunResult& result);
 
 // Where the time went.

@@ -11,10 +11,12 @@ Result<Candidate> make_candidate(const std::string& name, const CandidateOptions
     return failure(fmt::format("there is no candidate '{}'", name), "the candidates are: renderer");
   }
   const renderer::Options renderer_options{.subpixel_bits = options.subpixel_bits, .threads = options.threads};
-  return Candidate{
-      .name = name, .subpixel_bits = options.subpixel_bits, .draw = [renderer_options](const Case& test_case) {
-        return programs::draw_case(test_case, renderer_options);
-      }};
+  const auto draw = [renderer_options](const Case& test_case, uint32_t threads) {
+    renderer::Options chosen = renderer_options;
+    if (threads != 0) chosen.threads = threads;
+    return programs::draw_case(test_case, chosen);
+  };
+  return Candidate{.name = name, .subpixel_bits = options.subpixel_bits, .draw = draw};
 }
 
 }  // namespace fillrule::run

@@ -14,8 +14,8 @@ namespace fillrule::run {
 struct Candidate {
   std::string name;
   uint32_t subpixel_bits = 8;
-  // May be called by several threads at once.
-  std::function<Result<Planes>(const Case&)> draw;
+  // Draws with so many threads, 0 for the number in the options. May be called by several threads at once.
+  std::function<Result<Planes>(const Case&, uint32_t threads)> draw;
 };
 
 struct CandidateOptions {

@@ -1,5 +1,7 @@
 #include "harness/run/run.h"
 
+#include <algorithm>
+
 namespace fillrule::run {
 
 Summary summarise(const std::vector<CaseResult>& cases, double wall_seconds) {
@@ -13,6 +15,9 @@ Summary summarise(const std::vector<CaseResult>& cases, double wall_seconds) {
     summary.imprecise += result.verdict.count(judge::Verdict::kImprecise);
     summary.candidate_faults += result.verdict.candidate_faults();
     summary.reference_faults += result.verdict.reference_faults();
+    summary.failed_checks += static_cast<uint64_t>(std::count_if(
+        result.checks.begin(), result.checks.end(),
+        [](const judge::CheckResult& check) { return check.outcome == judge::CheckResult::Outcome::kFailed; }));
   }
   return summary;
 }

@@ -6,13 +6,14 @@
 #include <string>
 #include <vector>
 
+#include "harness/judge/metamorphic.h"
 #include "harness/judge/verdict.h"
 
 namespace fillrule::run {
 
 enum class Status : uint8_t {
   kPassed,
-  kFailed,   // the candidate is at fault, or could not draw the case, or the reference broke down
+  kFailed,   // the candidate is at fault, or fails a check, or could not draw; or the reference broke down
   kSkipped,  // the reference cannot draw the case; `message` tells why
 };
 
@@ -23,6 +24,7 @@ struct CaseResult {
   std::string message;  // why a case was skipped, or failed without a verdict
   double seconds = 0;   // the candidate's drawing and the judging; the reference draws in batches
   judge::CaseVerdict verdict;
+  std::vector<judge::CheckResult> checks;  // empty where they were not asked for
 };
 
 struct Summary {
@@ -36,6 +38,7 @@ struct Summary {
   uint64_t imprecise = 0;
   uint64_t candidate_faults = 0;
   uint64_t reference_faults = 0;
+  uint64_t failed_checks = 0;  // metamorphic ones
   double wall_seconds = 0;
 };
 
@@ -44,6 +47,7 @@ struct Timing {
   double reference_seconds = 0;  // drawing and reading back, during the run
   double candidate_seconds = 0;  // summed over threads
   double judge_seconds = 0;      // summed over threads
+  double check_seconds = 0;      // the metamorphic checks, summed over threads
   // The same once more, now that every pipeline is there: the suite, and the reference's drawing and reading back
   // with nothing else going on, in turn, the median of three each.
   struct Warm {

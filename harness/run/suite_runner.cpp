@@ -101,7 +101,7 @@ struct SuiteRunner::State {
   // The candidate's part and the verdict.
   void finish(const Case& test_case, const Planes* reference_planes, CaseResult& result, Timing& timing) const {
     const auto start = Clock::now();
-    const Result<Planes> planes = candidate.draw(test_case);
+    const Result<Planes> planes = candidate.draw(test_case, 0);
     const double drawn = seconds_since(start);
     timing.candidate_seconds += drawn;
     if (!planes) {
@@ -110,9 +110,18 @@ struct SuiteRunner::State {
       return;
     }
     result.verdict = judge_case(test_case, *planes, reference_planes, false);
+    const double judged = seconds_since(start);
+    timing.judge_seconds += judged - drawn;
+    if (options.checks) {
+      result.checks = judge::metamorphic_checks(
+          test_case, {.draw = candidate.draw, .subpixel_bits = candidate.subpixel_bits}, *planes);
+    }
     result.seconds = seconds_since(start);
-    timing.judge_seconds += result.seconds - drawn;
-    if (result.verdict.candidate_faults() > 0) result.status = Status::kFailed;
+    timing.check_seconds += result.seconds - judged;
+    const bool check_failed = std::any_of(result.checks.begin(), result.checks.end(), [](const auto& check) {
+      return check.outcome == judge::CheckResult::Outcome::kFailed;
+    });
+    if (result.verdict.candidate_faults() > 0 || check_failed) result.status = Status::kFailed;
   }
 
   // Draws one batch. Cases that the device cannot draw are skipped, and told so in the results.
@@ -182,6 +191,7 @@ struct SuiteRunner::State {
     for (const Timing& of_worker : timings) {
       timing.candidate_seconds += of_worker.candidate_seconds;
       timing.judge_seconds += of_worker.judge_seconds;
+      timing.check_seconds += of_worker.check_seconds;
     }
   }
 
@@ -207,7 +217,11 @@ struct SuiteRunner::State {
 Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
   Result<Candidate> candidate = make_candidate(options.candidate, options.candidate_options);
   if (!candidate) return tl::unexpected(candidate.error());
-  auto state = std::make_unique<State>(State{options, std::move(*candidate), std::nullopt});
+  return create(options, std::move(*candidate));
+}
+
+Result<SuiteRunner> SuiteRunner::create(const RunOptions& options, Candidate candidate) {
+  auto state = std::make_unique<State>(State{options, std::move(candidate), std::nullopt});
   if (options.reference != kNoReference) {
     Result<vulkan::Reference> reference =
         vulkan::Reference::create({.driver = options.reference,
@@ -251,7 +265,7 @@ RunResult SuiteRunner::run(std::span<const Case> cases) {
 
 Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   Drawing drawing;
-  Result<Planes> candidate = state_->candidate.draw(test_case);
+  Result<Planes> candidate = state_->candidate.draw(test_case, 0);
   if (!candidate) return tl::unexpected(candidate.error());
   drawing.candidate = std::move(*candidate);
   if (state_->reference) {

@@ -27,6 +27,7 @@ struct RunOptions {
   std::string reference = "lavapipe";  // a driver, or kNoReference
   std::vector<std::string> driver_files;
   judge::Profile profile;
+  bool checks = true;  // run the metamorphic checks
   uint32_t jobs = 1;
   bool measure_alone = false;  // fill Timing's warm figures
   bool validation = false;     // Vulkan's validation layers
@@ -42,8 +43,10 @@ struct Drawing {
 class SuiteRunner {
  public:
   static Result<SuiteRunner> create(const RunOptions& options);
-  SuiteRunner(SuiteRunner&&) noexcept;
-  SuiteRunner& operator=(SuiteRunner&&) noexcept;
+  // With a candidate of one's own, whatever the options name.
+  static Result<SuiteRunner> create(const RunOptions& options, Candidate candidate);
+  SuiteRunner(SuiteRunner&& other) noexcept;
+  SuiteRunner& operator=(SuiteRunner&& other) noexcept;
   ~SuiteRunner();
 
   // Results are in the order of the cases, whatever the number of jobs.

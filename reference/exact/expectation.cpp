@@ -76,7 +76,7 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
     primitive.front_facing = is_front_facing(draw.state, primitive.triangle.orientation());
     primitive.facing_in_doubt = primitive.triangle.orientation_in_doubt(latitude);
     primitive.thin = primitive.triangle.thinner_than(snap);
-    primitives_.push_back(std::move(primitive));
+    primitives_.push_back(primitive);
     add_primitive(test_case, static_cast<uint32_t>(primitives_.size() - 1));
   }
 }

@@ -59,7 +59,7 @@ TEST_P(OracleProof, AgreesWithTheObviousImplementation) {
   const auto family = static_cast<Family>(GetParam());
   std::mt19937_64 random(kSeed + GetParam());
   SCOPED_TRACE("seed " + std::to_string(kSeed) + ", family " + std::to_string(GetParam()));
-  size_t answers[3] = {0, 0, 0};
+  std::array<size_t, 3> answers{};
   int drawn = 0;
   while (drawn < kTrianglesPerFamily) {
     const RandomTriangle picked = random_triangle(family, random);

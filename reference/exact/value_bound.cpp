@@ -9,8 +9,11 @@ namespace fillrule::exact {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-24;
-// How many roundings each magnitude of C goes through; see README.md.
-constexpr double kRoundings = 2;
+// In the units of README.md, section "Values": a vertex's value is rounded about twice before it is used, a coordinate
+// four times, and what depends on the gradient once where terms cancel, four times where they do not.
+constexpr double kValueRoundings = 2;
+constexpr double kPositionRoundings = 4;
+constexpr double kGradientRoundings = 4;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
 struct Vector2 {
@@ -47,8 +50,8 @@ WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, con
     largest_y = std::max(largest_y, std::abs(p[i].y + triangle.centre_y()));
   }
   const VkViewport& viewport = triangle.viewport();
-  constant_ = largest_ + gx * (2 * largest_x + double{viewport.width} / 2) +
-              gy * (2 * largest_y + std::abs(double{viewport.height}) / 2);
+  constant_ = kValueRoundings * largest_ + gx * (kPositionRoundings * largest_x + double{viewport.width}) +
+              gy * (kPositionRoundings * largest_y + std::abs(double{viewport.height}));
   for (size_t o = 0; o < 3; ++o) {
     const size_t i1 = (o + 1) % 3;
     const size_t i2 = (o + 2) % 3;
@@ -67,7 +70,12 @@ WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, con
       sum_x = std::abs(q[o]) * (std::abs(e1.y) + std::abs(e2.y)) + std::abs(q[i1] * e2.y) + std::abs(q[i2] * e1.y);
       sum_y = std::abs(q[o]) * (std::abs(e1.x) + std::abs(e2.x)) + std::abs(q[i1] * e2.x) + std::abs(q[i2] * e1.x);
     }
-    anchors_[o] = {.x = p[o].x, .y = p[o].y, .per_x = sum_x / det + gx * kappa, .per_y = sum_y / det + gy * kappa};
+    const double cancelling_x = sum_x / det + gx * kappa;
+    const double cancelling_y = sum_y / det + gy * kappa;
+    anchors_[o] = {.x = p[o].x,
+                   .y = p[o].y,
+                   .per_x = cancelling_x + std::min(kGradientRoundings * gx, cancelling_x),
+                   .per_y = cancelling_y + std::min(kGradientRoundings * gy, cancelling_y)};
   }
   centre_x_ = triangle.centre_x();
   centre_y_ = triangle.centre_y();
@@ -114,12 +122,12 @@ double TriangleValues::barycentric_size(double dx, double dy) const {
 
 double TriangleValues::depth_tolerance(double dx, double dy) const {
   const double tolerance = barycentric_size(dx, dy) * depth_.form().reach(latitude_.x, latitude_.y) +
-                           kRoundings * kUnitRoundoff * depth_.condition(dx, dy);
+                           kUnitRoundoff * depth_.condition(dx, dy);
   return std::isfinite(tolerance) ? tolerance : kUnbounded;
 }
 
 double TriangleValues::least_linear(const WindowLinear& quantity) const {
-  return quantity.form().reach(latitude_.x, latitude_.y) + kRoundings * kUnitRoundoff * quantity.largest();
+  return quantity.form().reach(latitude_.x, latitude_.y) + kValueRoundings * kUnitRoundoff * quantity.largest();
 }
 
 Expected TriangleValues::depth(double x, double y) const {
@@ -172,7 +180,7 @@ double TriangleValues::smooth_tolerance(const Component& component, double value
     }
   }
   const double rounding =
-      kRoundings * kUnitRoundoff *
+      kValueRoundings * kUnitRoundoff *
       (component.numerator.condition(dx, dy) + std::abs(value) * reciprocal_w_.condition(dx, dy)) / reciprocal;
   const double tolerance = moved + rounding;
   return std::isfinite(tolerance) ? tolerance : kUnbounded;
@@ -192,13 +200,13 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
     const double least = least_linear(component.numerator);
     if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
     const double tolerance = barycentric_size(dx, dy) * component.numerator.form().reach(latitude_.x, latitude_.y) +
-                             kRoundings * kUnitRoundoff * component.numerator.condition(dx, dy);
+                             kUnitRoundoff * component.numerator.condition(dx, dy);
     return {.value = exact, .tolerance = std::isfinite(tolerance) ? tolerance : kUnbounded};
   }
   const double reciprocal = reciprocal_w_.at(dx, dy);
   const double exact = component.numerator.at(dx, dy) / reciprocal;
   // C >= max |q_i| for both quantities, so this is no more than the tolerance.
-  const double least = kRoundings * kUnitRoundoff *
+  const double least = kValueRoundings * kUnitRoundoff *
                        (component.numerator.largest() + std::abs(exact) * reciprocal_w_.largest()) / reciprocal;
   if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
   return {.value = exact, .tolerance = smooth_tolerance(component, exact, dx, dy)};
@@ -235,8 +243,8 @@ void TriangleValues::varying_row(const Component& component, double x, double y,
     }
     return;
   }
-  const double of_numerator = kRoundings * kUnitRoundoff * component.numerator.largest();
-  const double of_reciprocal = kRoundings * kUnitRoundoff * reciprocal_w_.largest();
+  const double of_numerator = kValueRoundings * kUnitRoundoff * component.numerator.largest();
+  const double of_reciprocal = kValueRoundings * kUnitRoundoff * reciprocal_w_.largest();
   for (size_t i = 0; i < expected.size(); ++i) {
     expected[i] = form.at(dx + static_cast<double>(i), dy) * w[i];
     least[i] = (of_numerator + std::abs(expected[i]) * of_reciprocal) * w[i];

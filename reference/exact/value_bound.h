@@ -3,7 +3,7 @@
 // The bound is derived in reference/exact/README.md ("Values"). In short, for a quantity q that is linear in the
 // window (depth, a/w, 1/w) an implementation (1) may interpolate between rounded vertices, which moves q by up to
 // A (t_x |dq/dx| + t_y |dq/dy|), A = sum of |window barycentric coordinates|, and (2) rounds every step to float32,
-// which errs by k u C(q, p), u = 2^-24, where C adds up the magnitudes that the steps round.
+// which errs by u C(q, p), u = 2^-24, where C adds up the magnitudes that are rounded, as often as they are.
 #pragma once
 
 #include <array>
@@ -33,8 +33,8 @@ class WindowLinear {
   [[nodiscard]] double at(double dx, double dy) const { return form_.at(dx, dy); }
   [[nodiscard]] const LinearForm& form() const { return form_; }
   [[nodiscard]] double largest() const { return largest_; }
-  // C(q, p): the sum of the magnitudes that float32 rounds on the way to q at p, the largest over the choices of the
-  // vertex that the plane is anchored at.
+  // C(q, p): the magnitudes that float32 rounds on the way to q at p, the largest sum over the choices of the vertex
+  // that the plane is anchored at.
   [[nodiscard]] double condition(double dx, double dy) const;
 
  private:

@@ -1,0 +1,199 @@
+#include "harness/judge/metamorphic.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstring>
+#include <optional>
+
+#include "harness/judge/variants.h"
+
+namespace fillrule::judge {
+namespace {
+
+using Outcome = CheckResult::Outcome;
+
+constexpr int kScaleExponent = 6;
+// Numbers of threads that divide no common tile count.
+constexpr std::array<uint32_t, 2> kThreadCounts{2, 5};
+
+CheckResult passed(std::string_view name) {
+  return {.name = std::string(name)};
+}
+
+CheckResult failed(std::string_view name, std::string message) {
+  return {.name = std::string(name), .outcome = Outcome::kFailed, .message = std::move(message)};
+}
+
+CheckResult does_not_fit(std::string_view name, std::string reason) {
+  return {.name = std::string(name), .outcome = Outcome::kDoesNotFit, .message = std::move(reason)};
+}
+
+// Where two planes differ first in their bits, if they do.
+template <typename T>
+std::optional<size_t> first_difference(const std::vector<T>& a, const std::vector<T>& b) {
+  static_assert(sizeof(T) == 4);
+  if (a.size() != b.size()) return 0;
+  if (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0) return std::nullopt;
+  size_t i = 0;
+  while (std::memcmp(&a[i], &b[i], sizeof(T)) == 0) ++i;
+  return i;
+}
+
+std::string place(std::string_view plane, size_t index, const Planes& planes) {
+  const size_t pixel = index / planes.samples;
+  return fmt::format("{} differs at ({}, {})", plane, pixel % planes.width, pixel / planes.width);
+}
+
+std::string differing_coverage(const Planes& a, const Planes& b, bool with_facing) {
+  if (const auto at = first_difference(a.hits, b.hits)) return place("hits", *at, a);
+  if (const auto at = first_difference(a.owner, b.owner)) return place("owner", *at, a);
+  if (!with_facing) return {};
+  if (const auto at = first_difference(a.front_facing, b.front_facing)) return place("front_facing", *at, a);
+  return {};
+}
+
+// Empty if all planes are equal to the bit.
+std::string differing_bytes(const Planes& a, const Planes& b) {
+  if (std::string difference = differing_coverage(a, b, true); !difference.empty()) return difference;
+  if (const auto at = first_difference(a.depth, b.depth)) return place("depth", *at, a);
+  for (size_t c = 0; c < a.varyings.size(); ++c) {
+    if (const auto at = first_difference(a.varyings[c], b.varyings[c])) {
+      return place(fmt::format("varying component {}", c), *at, a);
+    }
+  }
+  return {};
+}
+
+// The original picture inside the rectangle, cleared outside.
+Planes cropped(const Case& test_case, const Planes& original, const VkRect2D& rectangle) {
+  Planes result = Planes::cleared(original.width, original.height, original.samples,
+                                  static_cast<uint32_t>(original.varyings.size()), test_case.target.clear_depth);
+  if (original.depth.empty()) result.depth.clear();
+  const auto left = static_cast<size_t>(rectangle.offset.x);
+  const auto top = static_cast<size_t>(rectangle.offset.y);
+  for (size_t y = top; y < top + rectangle.extent.height; ++y) {
+    const size_t begin = (y * original.width + left) * original.samples;
+    const size_t end = begin + size_t{rectangle.extent.width} * original.samples;
+    const auto copy = [begin, end](const auto& from, auto& to) {
+      if (!from.empty())
+        std::copy(from.begin() + static_cast<ptrdiff_t>(begin), from.begin() + static_cast<ptrdiff_t>(end),
+                  to.begin() + static_cast<ptrdiff_t>(begin));
+    };
+    copy(original.hits, result.hits);
+    copy(original.owner, result.owner);
+    copy(original.front_facing, result.front_facing);
+    copy(original.depth, result.depth);
+    for (size_t c = 0; c < original.varyings.size(); ++c) copy(original.varyings[c], result.varyings[c]);
+  }
+  return result;
+}
+
+class Checker {
+ public:
+  Checker(const Case& test_case, const CheckedParty& party, const Planes& original)
+      : case_(test_case), party_(party), original_(original) {}
+
+  CheckResult run(std::string_view name) {
+    if (name == "second_run") return second_run(name);
+    if (name == "any_number_of_threads") return any_number_of_threads(name);
+    if (name == "rotated_vertices") return rotated_vertices(name);
+    if (name == "flipped_winding") return flipped_winding(name);
+    if (name == "scaled_clip_space") return scaled_clip_space(name);
+    return scissor_crop(name);
+  }
+
+ private:
+  // Draws the variant and compares; an error of the party is a failure.
+  template <typename Compare>
+  CheckResult compare(std::string_view name, const Case& variant, uint32_t threads, const Compare& difference_to) {
+    const Result<Planes> planes = party_.draw(variant, threads);
+    if (!planes) return failed(name, to_string(planes.error()));
+    std::string difference = difference_to(*planes);
+    return difference.empty() ? passed(name) : failed(name, std::move(difference));
+  }
+
+  CheckResult second_run(std::string_view name) {
+    return compare(name, case_, 0, [this](const Planes& planes) { return differing_bytes(original_, planes); });
+  }
+
+  CheckResult any_number_of_threads(std::string_view name) {
+    for (const uint32_t threads : kThreadCounts) {
+      CheckResult result = compare(name, case_, threads, [this, threads](const Planes& planes) {
+        const std::string difference = differing_bytes(original_, planes);
+        return difference.empty() ? difference : fmt::format("with {} threads {}", threads, difference);
+      });
+      if (result.outcome == Outcome::kFailed) return result;
+    }
+    return passed(name);
+  }
+
+  CheckResult rotated_vertices(std::string_view name) {
+    return compare_coverage(name, as_triangle_list(case_, {1, 2, 0}));
+  }
+
+  CheckResult flipped_winding(std::string_view name) {
+    return compare_coverage(name, with_front_faces_flipped(as_triangle_list(case_, {0, 2, 1})));
+  }
+
+  // Against the original without its depth test, drawn once for both checks that need it.
+  CheckResult compare_coverage(std::string_view name, const Case& variant) {
+    if (!tests_depth(case_)) {
+      return compare(name, variant, 0,
+                     [this](const Planes& planes) { return differing_coverage(original_, planes, true); });
+    }
+    if (!without_depth_test_) without_depth_test_ = party_.draw(without_depth_test(case_), 0);
+    if (!*without_depth_test_) return failed(name, to_string(without_depth_test_->error()));
+    return compare(name, without_depth_test(variant), 0,
+                   [this](const Planes& planes) { return differing_coverage(**without_depth_test_, planes, true); });
+  }
+
+  CheckResult scaled_clip_space(std::string_view name) {
+    Case scaled = case_;
+    if (!scale_clip_space(scaled, kScaleExponent))
+      return does_not_fit(name, "scaling leaves the normal float32 numbers");
+    return compare(name, scaled, 0, [this](const Planes& planes) -> std::string {
+      const std::string difference = differing_bytes(original_, planes);
+      if (difference.empty()) return {};
+      const Party party{.planes = &planes, .subpixel_bits = party_.subpixel_bits};
+      return judge(case_, party, nullptr, {}).candidate_faults() == 0 ? std::string() : difference;
+    });
+  }
+
+  CheckResult scissor_crop(std::string_view name) {
+    const uint32_t width = case_.target.width;
+    const uint32_t height = case_.target.height;
+    if (width < 2 || height < 2) return does_not_fit(name, "the target is too small to crop");
+    // Off-centre and of odd size, so that its sides fall between blocks and tiles.
+    const VkRect2D rectangle{.offset = {.x = static_cast<int32_t>(width / 4), .y = static_cast<int32_t>(height / 5)},
+                             .extent = {.width = (width / 2) | 1U, .height = (height / 2) | 1U}};
+    return compare(name, with_scissor(case_, rectangle), 0, [&](const Planes& planes) {
+      return differing_bytes(cropped(case_, original_, rectangle), planes);
+    });
+  }
+
+  const Case& case_;
+  const CheckedParty& party_;
+  const Planes& original_;
+  std::optional<Result<Planes>> without_depth_test_;
+};
+
+}  // namespace
+
+std::vector<CheckResult> metamorphic_checks(const Case& test_case, const CheckedParty& party,
+                                            const Planes& original) {
+  Checker checker(test_case, party, original);
+  std::vector<CheckResult> results;
+  for (const std::string_view name : kChecks) {
+    const auto opt_out = std::find_if(test_case.opt_outs.begin(), test_case.opt_outs.end(),
+                                      [name](const OptOut& one) { return one.check == name; });
+    if (opt_out != test_case.opt_outs.end()) {
+      results.push_back({.name = std::string(name), .outcome = Outcome::kOptedOut, .message = opt_out->reason});
+    } else {
+      results.push_back(checker.run(name));
+    }
+  }
+  return results;
+}
+
+}  // namespace fillrule::judge
