@@ -53,7 +53,7 @@ TEST(ClipTriangle, VertexBehindTheEye) {
   EXPECT_GT(polygon[1].x_fixed, (1 << 29) - 256);
   EXPECT_EQ(polygon[1].y_fixed, 100 * 256);
   EXPECT_EQ(polygon[2].x_fixed, polygon[1].x_fixed);
-  EXPECT_NEAR(polygon[2].y_fixed, polygon[2].x_fixed / 2 + 100 * 256, 1);
+  EXPECT_NEAR(polygon[2].y_fixed, 0.5 * polygon[2].x_fixed + 100 * 256, 1);
   EXPECT_EQ(polygon[3], at_pixel(100, 150));
 }
 

@@ -123,7 +123,7 @@ uint64_t small_mask(const std::array<EdgeFunction, 3>& edges, const PixelRect& r
     int64_t value2 = row2;
     for (int32_t column = 0; column < rect.width(); ++column) {
       const bool is_inside = (value0 | value1 | value2) >= 0;
-      mask |= uint64_t{is_inside} << static_cast<uint32_t>(row * kBlockSize + column);
+      mask |= static_cast<uint64_t>(is_inside) << static_cast<uint32_t>(row * kBlockSize + column);
       value0 += edges[0].step_x;
       value1 += edges[1].step_x;
       value2 += edges[2].step_x;

@@ -32,12 +32,14 @@ bool covers(const std::array<FixedPosition, 3>& triangle, int32_t x, int32_t y, 
 }
 
 std::vector<bool> pixels_of(const TileCoverage& coverage) {
-  std::vector<bool> pixels(kTileSize * kTileSize);
+  std::vector<bool> pixels(size_t{kTileSize} * kTileSize);
   for (uint32_t i = 0; i < coverage.count; ++i) {
     const CoverageBlock& block = coverage.blocks[i];
     for (int32_t bit = 0; bit < 64; ++bit) {
       if ((block.mask >> bit & 1) != 0) {
-        const auto pixel = static_cast<size_t>((block.y + bit / 8) * kTileSize + block.x + bit % 8);
+        const int32_t x = block.x + bit % 8;
+        const int32_t y = block.y + bit / 8;
+        const size_t pixel = static_cast<size_t>(y) * kTileSize + static_cast<size_t>(x);
         EXPECT_FALSE(pixels.at(pixel)) << "twice";
         pixels.at(pixel) = true;
       }
@@ -130,7 +132,7 @@ TEST(Cover, TopLeftRuleInEveryMirroringAndRotation) {
         const std::vector<bool> second = diagonal(is_falling, 1, rotation, is_reversed);
         for (int32_t y = 0; y < kTileSize; ++y) {
           for (int32_t x = 0; x < kTileSize; ++x) {
-            const auto pixel = static_cast<size_t>(y * kTileSize + x);
+            const size_t pixel = static_cast<size_t>(y) * kTileSize + static_cast<size_t>(x);
             const bool in_square = x >= 8 && x < 20 && y >= 16 && y < 28;
             ASSERT_EQ(int{first[pixel]} + int{second[pixel]}, in_square ? 1 : 0) << x << ", " << y;
           }

@@ -14,12 +14,16 @@ TEST(DepthPasses, AllEightOperations) {
     bool equal;
     bool greater;
   };
-  constexpr Row kTable[] = {
-      {VK_COMPARE_OP_NEVER, false, false, false},          {VK_COMPARE_OP_LESS, true, false, false},
-      {VK_COMPARE_OP_EQUAL, false, true, false},           {VK_COMPARE_OP_LESS_OR_EQUAL, true, true, false},
-      {VK_COMPARE_OP_GREATER, false, false, true},         {VK_COMPARE_OP_NOT_EQUAL, true, false, true},
-      {VK_COMPARE_OP_GREATER_OR_EQUAL, false, true, true}, {VK_COMPARE_OP_ALWAYS, true, true, true},
-  };
+  constexpr std::array<Row, 8> kTable{{
+      {VK_COMPARE_OP_NEVER, false, false, false},
+      {VK_COMPARE_OP_LESS, true, false, false},
+      {VK_COMPARE_OP_EQUAL, false, true, false},
+      {VK_COMPARE_OP_LESS_OR_EQUAL, true, true, false},
+      {VK_COMPARE_OP_GREATER, false, false, true},
+      {VK_COMPARE_OP_NOT_EQUAL, true, false, true},
+      {VK_COMPARE_OP_GREATER_OR_EQUAL, false, true, true},
+      {VK_COMPARE_OP_ALWAYS, true, true, true},
+  }};
   const float half = 0.5F;
   for (const Row& row : kTable) {
     EXPECT_EQ(depth_passes(row.op, std::nextafter(half, 0.0F), half), row.less) << row.op;
@@ -35,6 +39,8 @@ TEST(DepthD32, IsClampedAndNeverNegativeZero) {
   EXPECT_EQ(depth_d32(0.1), 0.1F);
 }
 
+constexpr size_t kQuadPixels = size_t{32} * 32;
+
 TestScene full_quad(double z_ndc) {
   TestScene scene(32, 32);
   scene.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
@@ -47,7 +53,7 @@ TEST(DepthTest, AConstantDepthIsExactAtEveryPixel) {
   for (const float z : {0.0F, 0.1F, 0.3F, 1.0F / 3.0F, 0.7F, 1.0F}) {
     TestScene scene = full_quad(z);
     scene.state.depth_compare = VK_COMPARE_OP_ALWAYS;
-    EXPECT_EQ(render(scene).depth, std::vector<float>(32 * 32, z));
+    EXPECT_EQ(render(scene).depth, std::vector<float>(kQuadPixels, z));
   }
 }
 
@@ -56,24 +62,24 @@ TEST(DepthTest, FailingFragmentsLeaveNoTrace) {
   scene.clear_depth = 0.5F;
   scene.state.depth_compare = VK_COMPARE_OP_LESS;
   const TestPlanes planes = render(scene);
-  EXPECT_EQ(count_of(planes.hits, 0), 32U * 32U);
-  EXPECT_EQ(planes.depth, std::vector<float>(32 * 32, 0.5F));
+  EXPECT_EQ(count_of(planes.hits, 0), kQuadPixels);
+  EXPECT_EQ(planes.depth, std::vector<float>(kQuadPixels, 0.5F));
   scene.state.depth_compare = VK_COMPARE_OP_EQUAL;
-  EXPECT_EQ(count_of(render(scene).hits, 1), 32U * 32U);
+  EXPECT_EQ(count_of(render(scene).hits, 1), kQuadPixels);
 }
 
 TEST(DepthTest, WriteOffAndTestOffLeaveTheDepthAsItWas) {
   TestScene scene = full_quad(0.25);
   scene.state.depth_write = false;
   TestPlanes planes = render(scene);
-  EXPECT_EQ(count_of(planes.hits, 1), 32U * 32U);
-  EXPECT_EQ(planes.depth, std::vector<float>(32 * 32, 1.0F));
+  EXPECT_EQ(count_of(planes.hits, 1), kQuadPixels);
+  EXPECT_EQ(planes.depth, std::vector<float>(kQuadPixels, 1.0F));
   scene.state.depth_write = true;
   scene.state.depth_test = false;
   scene.state.depth_compare = VK_COMPARE_OP_NEVER;
   planes = render(scene);
-  EXPECT_EQ(count_of(planes.hits, 1), 32U * 32U);
-  EXPECT_EQ(planes.depth, std::vector<float>(32 * 32, 1.0F));
+  EXPECT_EQ(count_of(planes.hits, 1), kQuadPixels);
+  EXPECT_EQ(planes.depth, std::vector<float>(kQuadPixels, 1.0F));
 }
 
 TEST(DepthTest, PassesWithoutADepthBuffer) {
@@ -82,7 +88,7 @@ TEST(DepthTest, PassesWithoutADepthBuffer) {
   TestPlanes planes = cleared_planes(scene);
   planes.depth.clear();
   ASSERT_TRUE(render_into(scene, planes));
-  EXPECT_EQ(count_of(planes.hits, 1), 32U * 32U);
+  EXPECT_EQ(count_of(planes.hits, 1), kQuadPixels);
 }
 
 TEST(DepthTest, DepthRangeOfTheViewport) {

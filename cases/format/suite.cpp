@@ -65,6 +65,11 @@ class SuiteLoader {
   }
 
  private:
+  // "." for a bare file name, which has no parent path.
+  static std::string folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path().generic_string() : ".";
+  }
+
   void select_one(size_t i) {
     const std::string& selector = selectors_[i];
     for (const fs::path& path : {fs::path(selector), fs::path(root_) / selector}) {
@@ -75,7 +80,7 @@ class SuiteLoader {
       if (fs::is_directory(status)) {
         select_folder(path.generic_string());
       } else {
-        want({path.generic_string(), name_of(path.generic_string(), path.parent_path().generic_string())}).all = true;
+        want({path.generic_string(), name_of(path.generic_string(), folder_of(path))}).all = true;
       }
       return;
     }

@@ -46,6 +46,17 @@ expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
 expect 0 'lavapipe' "$fillrule" devices
 expect 0 'Exit codes' "$fillrule" run --help
+cp own/good.toml bare.toml
+expect 0 'PASSED  bare' "$fillrule" run bare.toml -v
+expect 0 'bare.png' "$fillrule" show bare.toml --report "$work/shown"
+expect 0 '1 passed' "$fillrule" run --profile top_left,precise own/good.toml
+expect 0 'against the oracle alone' "$fillrule" run own/good.toml --reference oracle
+expect 0 'candidate lavapipe' "$fillrule" run own/good.toml --candidate lavapipe --reference none
+expect 0 'lavapipe and lavapipe draw differently, as permitted, 0 samples' "$fillrule" run own/good.toml --reference lavapipe,lavapipe
+mkdir expected
+printf '[[deviation]]\ncase = "good"\nplanes = ["owner"]\nreason = "r"\nsource = "s"\n' >expected/lavapipe-22.3.6.toml
+expect 0 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected
+expect 1 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected --strict-reference
 expect 0 'times that' "$fillrule" run own/good.toml --timing
 expect 0 'good.png' "$fillrule" show own/good.toml --report "$work/shown"
 [ -s "$work/shown/good.png" ] && [ -s "$work/shown/good.reference.exr" ] || { echo 'FAILED: no pictures'; failures=$((failures + 1)); }
@@ -58,6 +69,21 @@ expect 2 'cannot be written' "$fillrule" run own/good.toml --json "$work/no/such
 # A candidate that is held to lavapipe's subpixel bits, and snaps to another grid, is caught and shown.
 printf '%s\n[[draw]]\nspace = "framebuffer"\npositions = [[1, 1], ["10.5 + 1/64", 1], ["10.5 + 1/64", 15]]\n' "$head" >"$work/own/good.toml"
 expect 0 '1 passed' "$fillrule" run own/good.toml --subpixel-bits 4
+
+# The small world.
+expect 0 'lavapipe: equal to the oracle on all triangles' "$fillrule" exhaust --grid 2 --size 2
+expect 2 'a grid of 1/3 px' "$fillrule" exhaust --grid 3
+expect 2 'cells of 5 x 5 px' "$fillrule" exhaust --size 5
+expect 2 "there is no candidate 'painter'" "$fillrule" exhaust --candidate painter
+expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" exhaust --reference voodoo
+
+# One sample, and random triangles.
+expect 0 'The sample lies' "$fillrule" explain own/good.toml --pixel 4,4
+expect 2 'pixel 99,4 is not in the target of 16 x 16 pixels' "$fillrule" explain own/good.toml --pixel 99,4
+expect 2 "--pixel takes X,Y" "$fillrule" explain own/good.toml --pixel 4
+expect 2 '4 cases match' "$fillrule" explain coverage/shared_diagonal --pixel 4,4
+expect 0 'triangles a second' "$fillrule" stress --triangles 500 --reference none --out "$work/stress"
+expect 2 'medium' "$fillrule" stress --families medium --out "$work/stress"
 
 if [ "$failures" -eq 0 ]; then echo 'all command line checks passed'; fi
 exit "$((failures > 0))"

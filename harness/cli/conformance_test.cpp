@@ -31,6 +31,9 @@ class ConformanceTest : public testing::Test {
     ASSERT_TRUE(drawing) << to_string(drawing.error());
     EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::report::case_text(
         {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict});
+    const auto again = runner->draw(case_);
+    ASSERT_TRUE(again) << to_string(again.error());
+    EXPECT_EQ(fillrule::judge::differing_bytes(*drawing->reference, *again->reference), "") << "the reference, twice";
     EXPECT_TRUE(runner->validation_messages().empty()) << runner->validation_messages().back();
   }
 

@@ -26,6 +26,7 @@ format::Suite load(const SuiteOptions& options);
 // Who is judged against whom, and how strictly.
 struct PartyOptions {
   run::RunOptions run;
+  std::vector<std::string> references{"lavapipe"};  // drivers; none, or oracle, for the oracle alone
   std::vector<std::string> profiles;
 };
 void add_party_options(CLI::App& command, PartyOptions& options);
@@ -35,6 +36,14 @@ std::vector<std::string> driver_files();
 
 // The runner, or else the error is printed and `exit_code` set. A candidate that is not there is a mistake on the
 // command line; a device that is not there is not.
-Result<run::SuiteRunner> create_runner(const PartyOptions& options, int& exit_code);
+Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit_code);
+
+bool is_driver(const std::string& reference);
+
+// The command that draws a case once more with the same parties, quoted for a shell.
+std::string show_command(const SuiteOptions& suite, const run::RunOptions& options, const Case& one);
+
+// The options of a run against one of the references.
+run::RunOptions against(const PartyOptions& options, const std::string& reference);
 
 }  // namespace fillrule::cli

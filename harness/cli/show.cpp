@@ -18,22 +18,24 @@ struct ShowOptions {
 };
 
 // Draws, judges, writes and tells of one case.
-int show_case(const Case& one, run::SuiteRunner& runner, const std::string& folder) {
+int show_case(const Case& one, run::SuiteRunner& runner, const ShowOptions& options) {
   const Result<run::Drawing> drawing = runner.draw(one);
   if (!drawing) {
     print_error(drawing.error());
     return kBadInput;
   }
-  const auto paths = report::write_pictures(folder, one, *drawing);
+  const auto paths = report::write_pictures(options.folder, one, *drawing);
   if (!paths) {
     print_error(paths.error());
     return kBadInput;
   }
   const bool failed = drawing->verdict.candidate_faults() > 0;
-  fmt::print("{}", report::case_text({.name = one.name,
-                                      .file = one.file,
-                                      .status = failed ? run::Status::kFailed : run::Status::kPassed,
-                                      .verdict = drawing->verdict}));
+  const run::CaseResult result{.name = one.name,
+                               .file = one.file,
+                               .status = failed ? run::Status::kFailed : run::Status::kPassed,
+                               .show_command = show_command(options.suite, options.parties.run, one),
+                               .verdict = drawing->verdict};
+  fmt::print("{}", report::case_text(result));
   for (const std::string& path : *paths) fmt::print("    {}\n", path);
   return failed ? kMismatch : kConforms;
 }
@@ -41,10 +43,11 @@ int show_case(const Case& one, run::SuiteRunner& runner, const std::string& fold
 int show_cases(const ShowOptions& options) {
   const format::Suite suite = load(options.suite);
   int exit_code = kConforms;
-  Result<run::SuiteRunner> runner = create_runner(options.parties, exit_code);
+  Result<run::SuiteRunner> runner =
+      create_runner(against(options.parties, options.parties.references.front()), exit_code);
   if (!runner) return exit_code;
   exit_code = suite.errors.empty() ? kConforms : kBadInput;
-  for (const Case& one : suite.cases) exit_code = std::max(exit_code, show_case(one, *runner, options.folder));
+  for (const Case& one : suite.cases) exit_code = std::max(exit_code, show_case(one, *runner, options));
   return exit_code;
 }
 

@@ -170,6 +170,32 @@ TEST(Judge, AWrongOwnerIsToldFromAnOpenOne) {
   EXPECT_EQ(judge_pair(test_case, other, right, {.same_bits = true}).candidate_faults(), 1U);
 }
 
+// Lavapipe finds the facing of unclipped triangles before it rounds positions if another triangle of the draw is
+// clipped, and after it otherwise.
+TEST(Judge, SameBitsAreNotAskedForWhereRoundingMayCullATriangle) {
+  Case test_case = square();
+  test_case.draws = {draw_of({at(4, 8.5), at(12, 8.5 + 0x1p-10), at(8, 8.5 + 0x1p-9)})};
+  test_case.draws[0].state.depth_test = false;
+  // Faults of a picture with one more sample than the other, where the triangle may cover it.
+  const auto faults = [&test_case](VkCullModeFlags cull_mode) {
+    test_case.draws[0].state.cull_mode = cull_mode;
+    const exact::Expectation expectation(test_case, 8);
+    EXPECT_TRUE(expectation.primitives()[0].facing_in_doubt);
+    std::vector<exact::Entry> entries;
+    size_t sample = 0;
+    while (sample < expectation.sole().size() && expectation.sole()[sample] != exact::kSeveral) ++sample;
+    if (sample == expectation.sole().size()) return ~uint64_t{0};
+    const Planes nothing = Planes::cleared(test_case.target.width, test_case.target.height, 1,
+                                           component_count(test_case.varyings), test_case.target.clear_depth);
+    Planes other = nothing;
+    other.hits[sample] = 1;
+    other.owner[sample] = 0;
+    return plane(judge_pair(test_case, other, nothing, {.same_bits = true}), "coverage").candidate_faults();
+  };
+  EXPECT_EQ(faults(VK_CULL_MODE_BACK_BIT), 0U);
+  EXPECT_EQ(faults(VK_CULL_MODE_NONE), 1U);
+}
+
 TEST(Judge, AWrongFacingIsAFault) {
   expect_fault("front_facing", [](Planes& planes) { planes.front_facing[index_of(4, 4)] ^= 1U; });
 }

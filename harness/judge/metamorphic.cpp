@@ -53,18 +53,6 @@ std::string differing_coverage(const Planes& a, const Planes& b, bool with_facin
   return {};
 }
 
-// Empty if all planes are equal to the bit.
-std::string differing_bytes(const Planes& a, const Planes& b) {
-  if (std::string difference = differing_coverage(a, b, true); !difference.empty()) return difference;
-  if (const auto at = first_difference(a.depth, b.depth)) return place("depth", *at, a);
-  for (size_t c = 0; c < a.varyings.size(); ++c) {
-    if (const auto at = first_difference(a.varyings[c], b.varyings[c])) {
-      return place(fmt::format("varying component {}", c), *at, a);
-    }
-  }
-  return {};
-}
-
 // The original picture inside the rectangle, cleared outside.
 Planes cropped(const Case& test_case, const Planes& original, const VkRect2D& rectangle) {
   Planes result = Planes::cleared(original.width, original.height, original.samples,
@@ -179,6 +167,17 @@ class Checker {
 };
 
 }  // namespace
+
+std::string differing_bytes(const Planes& a, const Planes& b) {
+  if (std::string difference = differing_coverage(a, b, true); !difference.empty()) return difference;
+  if (const auto at = first_difference(a.depth, b.depth)) return place("depth", *at, a);
+  for (size_t c = 0; c < a.varyings.size(); ++c) {
+    if (const auto at = first_difference(a.varyings[c], b.varyings[c])) {
+      return place(fmt::format("varying component {}", c), *at, a);
+    }
+  }
+  return {};
+}
 
 std::vector<CheckResult> metamorphic_checks(const Case& test_case, const CheckedParty& party,
                                             const Planes& original) {

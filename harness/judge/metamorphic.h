@@ -42,4 +42,7 @@ struct CheckedParty {
 // All of kChecks, in their order. `original` is what the party drew for the case.
 std::vector<CheckResult> metamorphic_checks(const Case& test_case, const CheckedParty& party, const Planes& original);
 
+// Where two parties' planes differ first in their bits, in words; empty if they are equal.
+std::string differing_bytes(const Planes& a, const Planes& b);
+
 }  // namespace fillrule::judge

@@ -47,6 +47,18 @@ Standing value_standing(float value, const Expected& expected) {
   return standing;
 }
 
+// Whether the value is outside whatever the exact value is within `error` of the expected one. Nobody is accused on
+// the word of doubles alone; where this says false, rationals have to be asked.
+bool certainly_outside(float value, const Standing& standing, double error) {
+  return std::abs(double{value} - standing.expected) - error > exact::kImpreciseFactor * standing.tolerance;
+}
+
+// Nobody is accused on the word of doubles alone where it is close: they are within a millionth of the tolerance of
+// the exact value (value_bound_test.cpp), so beyond twice the limit there is nothing to confirm.
+bool needs_confirmation(const Standing& standing) {
+  return standing.outside() && standing.severity <= 2 * exact::kImpreciseFactor;
+}
+
 // No finite input gives NaN or infinity, and where nothing is defined nothing is judged.
 Standing undecided_value(float value, bool finite_input) {
   if (finite_input && !std::isfinite(value)) {
@@ -104,8 +116,8 @@ Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
   if (!outcome.depth_certain) return undecided_value(value, finite);
   const exact::TriangleValues& values = values_.values(outcome.depth_writer);
   Standing standing = value_standing(value, values.depth_for(value, x_of(index), y_of(index)));
-  if (!standing.outside() || !std::isfinite(value)) return standing;
-  // Nobody is accused on the word of doubles alone.
+  if (!needs_confirmation(standing)) return standing;
+  if (certainly_outside(value, standing, values.depth_error(x_of(index), y_of(index)))) return standing;
   Expected confirmed{.value = exact::exact_depth(values.triangle(), x_of(index), y_of(index)),
                      .tolerance = standing.tolerance};
   confirmed.value = std::clamp(confirmed.value, 0.0, 1.0);
@@ -143,7 +155,8 @@ Standing PartyJudge::varying(const Possibilities& possible, size_t index, uint32
   if (!prepared.judged) return not_judged();
   const exact::TriangleValues& values = values_.values(owner);
   Standing standing = value_standing(value, values.varying_for(prepared, value, x_of(index), y_of(index)));
-  if (!standing.outside() || !std::isfinite(value)) return standing;
+  if (!needs_confirmation(standing)) return standing;
+  if (certainly_outside(value, standing, values.varying_error(prepared, x_of(index), y_of(index)))) return standing;
   const bool smooth = prepared.interpolation == Interpolation::kSmooth;
   const auto exactly = smooth ? exact::exact_smooth : exact::exact_noperspective;
   return value_standing(value, {.value = exactly(primitive.triangle, prepared.values, x_of(index), y_of(index)),

@@ -45,8 +45,7 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
       width_(planes.width),
       hits_(planes.hits.data()),
       owner_(planes.owner.data()),
-      front_facing_(planes.front_facing.data()),
-      component_count_(0) {
+      front_facing_(planes.front_facing.data()) {
   for (const Varying& varying : varyings) {
     for (uint32_t i = 0; i < varying.components; ++i) {
       components_[component_count_] = {planes.varyings[component_count_].data(), varying.interpolation};

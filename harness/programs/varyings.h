@@ -73,7 +73,7 @@ class VaryingsProgram {
   uint32_t* owner_;
   uint32_t* front_facing_;
   std::array<Component, size_t{kMaxVaryings} * kMaxVaryingComponents> components_;
-  uint32_t component_count_;
+  uint32_t component_count_ = 0;
 };
 
 // Draws a whole case with the renderer. An error names what the renderer cannot draw, or what is inconsistent in the

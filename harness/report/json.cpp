@@ -51,6 +51,7 @@ Json case_json(const run::CaseResult& result) {
   Json json{{"name", result.name},
             {"file", result.file},
             {"status", name_of(result.status)},
+            {"show", result.show_command},
             {"seconds", result.seconds},
             {"samples", result.verdict.samples},
             {"covered_samples", result.verdict.covered_samples},
@@ -65,9 +66,25 @@ Json case_json(const run::CaseResult& result) {
   return json;
 }
 
+Json deviations_json(const run::DeviationReport& deviations) {
+  const auto faults_json = [](const std::vector<run::DeviationReport::Fault>& faults) {
+    Json json = Json::array();
+    for (const auto& fault : faults) {
+      json.push_back({{"case", fault.case_name}, {"plane", fault.plane}, {"samples", fault.samples}});
+    }
+    return json;
+  };
+  Json gone = Json::array();
+  for (const run::Deviation& one : deviations.gone)
+    gone.push_back({{"case", one.case_pattern}, {"planes", one.planes}});
+  return {{"known", faults_json(deviations.known)},
+          {"unexpected", faults_json(deviations.unexpected)},
+          {"gone", std::move(gone)}};
+}
+
 }  // namespace
 
-std::string to_json(const run::RunResult& result) {
+std::string to_json(const run::RunResult& result, const run::DeviationReport& deviations) {
   const run::Summary& summary = result.summary;
   Json json{{"summary",
              {{"cases", summary.cases},
@@ -96,6 +113,7 @@ std::string to_json(const run::RunResult& result) {
     json["timing"]["warm_suite_seconds"] = result.timing.warm->suite_seconds;
     json["timing"]["warm_reference_alone_seconds"] = result.timing.warm->reference_alone_seconds;
   }
+  json["deviations"] = deviations_json(deviations);
   json["cases"] = Json::array();
   for (const run::CaseResult& one : result.cases) json["cases"].push_back(case_json(one));
   // Names come from file paths, which need not be UTF-8.

@@ -30,8 +30,21 @@ run::RunResult one_failure() {
   return run;
 }
 
+run::DeviationReport one_unexpected() {
+  return {.unexpected = {{.case_name = "a/b", .plane = "depth", .samples = 3}},
+          .gone = {{.case_pattern = "a/*", .planes = {"owner"}}}};
+}
+
+TEST(Json, HoldsTheDeviations) {
+  const auto json = nlohmann::json::parse(to_json(one_failure(), one_unexpected()));
+  EXPECT_EQ(json["deviations"]["unexpected"][0]["case"], "a/b");
+  EXPECT_EQ(json["deviations"]["unexpected"][0]["samples"], 3);
+  EXPECT_EQ(json["deviations"]["gone"][0]["planes"][0], "owner");
+  EXPECT_TRUE(json["deviations"]["known"].empty());
+}
+
 TEST(Json, HoldsTheSummaryThePartiesAndEveryCase) {
-  const auto json = nlohmann::json::parse(to_json(one_failure()));
+  const auto json = nlohmann::json::parse(to_json(one_failure(), one_unexpected()));
   EXPECT_EQ(json["summary"]["cases"], 1);
   EXPECT_EQ(json["summary"]["failed"], 1);
   EXPECT_EQ(json["summary"]["candidate_faults"], 2);
@@ -49,7 +62,7 @@ TEST(Json, HoldsTheSummaryThePartiesAndEveryCase) {
 }
 
 TEST(Json, NanAndHostileNamesStayValidJson) {
-  const auto json = nlohmann::json::parse(to_json(one_failure()));
+  const auto json = nlohmann::json::parse(to_json(one_failure(), one_unexpected()));
   EXPECT_EQ(json["cases"][0]["name"], "depth/\"quoted\" <b>");
   EXPECT_EQ(json["cases"][0]["planes"]["depth"]["first"]["candidate"], "nan");
 }

@@ -1,6 +1,7 @@
 #include "harness/report/terminal.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -27,6 +28,7 @@ constexpr double kNoOwnerNumber = std::numeric_limits<uint32_t>::max();
 
 std::string value_text(PlaneKind kind, double value) {
   if (kind == PlaneKind::kOwner && value == kNoOwnerNumber) return "none";
+  if (std::isnan(value)) return "nan";  // of either sign
   if (kind == PlaneKind::kDepth || kind == PlaneKind::kVarying) return fmt::format("{:.9g}", value);
   return fmt::format("{}", value);
 }
@@ -83,7 +85,9 @@ std::string case_text(const run::CaseResult& result) {
       text += fmt::format("    check {}: {}\n", check.name, check.message);
     }
   }
-  if (result.status == run::Status::kFailed) text += fmt::format("    see it: fillrule show '{}'\n", result.name);
+  if (result.status == run::Status::kFailed && !result.verdict.planes.empty()) {
+    text += fmt::format("    see it: {}\n", result.show_command);
+  }
   return text;
 }
 
@@ -109,6 +113,48 @@ std::string summary_text(const run::RunResult& result) {
       "samples over all planes: {} identical, {} permitted, {} imprecise, {} candidate faults, {} reference faults\n",
       summary.identical, summary.permitted, summary.imprecise, summary.candidate_faults, summary.reference_faults);
   return text;
+}
+
+std::string deviations_text(const run::RunResult& result, const run::DeviationReport& deviations) {
+  std::string text;
+  const std::string& driver = result.reference.driver;
+  if (!deviations.known.empty()) {
+    text += fmt::format("{} of its known deviations were met, listed in {}\n", deviations.known.size(),
+                        run::deviations_file_name(result.reference));
+  }
+  for (const auto& fault : deviations.unexpected) {
+    text += fmt::format("NEW fault of {}: {}, {}, {} samples\n", driver, fault.case_name, fault.plane, fault.samples);
+  }
+  for (const run::Deviation& gone : deviations.gone) {
+    text += fmt::format("GONE from {}: {} ({}) no longer occurs\n", driver, gone.case_pattern,
+                        fmt::join(gone.planes, ", "));
+  }
+  return text;
+}
+
+std::string disagreements_text(const run::RunResult& result) {
+  std::string text;
+  uint64_t permitted_cases = 0;
+  uint64_t permitted_samples = 0;
+  for (const run::CaseResult& one : result.cases) {
+    uint64_t permitted = 0;
+    for (const PlaneVerdict& plane : one.verdict.planes) {
+      const bool value = plane.kind == PlaneKind::kDepth || plane.kind == PlaneKind::kVarying;
+      if (!value) permitted += plane.count(Verdict::kPermitted);
+      const uint64_t first = plane.count(Verdict::kCandidateFault);
+      const uint64_t second = plane.count(Verdict::kReferenceFault);
+      const uint64_t both = plane.count(Verdict::kBothFault);
+      if (first + second + both == 0) continue;
+      text += fmt::format("  {}, {}: wrong at {} samples {}, at {} {}, at {} both\n", one.name, plane.name, first,
+                          result.candidate, second, result.reference.driver, both);
+    }
+    permitted_cases += permitted > 0 ? 1 : 0;
+    permitted_samples += permitted;
+  }
+  return fmt::format(
+      "{} and {} draw differently, as permitted, {} samples of coverage, hits, owner or facing in {} cases{}\n{}",
+      result.candidate, result.reference.driver, permitted_samples, permitted_cases,
+      text.empty() ? "" : ", and where one is wrong:", text);
 }
 
 std::string timing_text(const run::RunResult& result) {

@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "harness/run/deviations.h"
 #include "harness/run/run.h"
 
 namespace fillrule::report {
@@ -16,6 +17,12 @@ std::string parties_text(const run::RunResult& result);
 
 // The parties, and counts of cases and samples.
 std::string summary_text(const run::RunResult& result);
+
+// What the run says about the list of the reference's known deviations; empty if there is nothing to say.
+std::string deviations_text(const run::RunResult& result, const run::DeviationReport& deviations);
+
+// Of a run in which the candidate is a reference too: the cases in which the two draw differently, and who is wrong.
+std::string disagreements_text(const run::RunResult& result);
 
 // Where the time went.
 std::string timing_text(const run::RunResult& result);

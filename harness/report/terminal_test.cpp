@@ -34,7 +34,9 @@ TEST(Terminal, AFailedCaseShowsCountsBoxFirstAndWorstSample) {
   uv.worst = uv.first;
   uv.worst->x = 9;
   uv.worst->candidate = std::numeric_limits<double>::quiet_NaN();
-  run::CaseResult result{.name = "clipping/near[angle=30]", .status = run::Status::kFailed};
+  run::CaseResult result{.name = "clipping/near[angle=30]",
+                         .status = run::Status::kFailed,
+                         .show_command = "fillrule show 'clipping/near[angle=30]'"};
   result.verdict.planes = {coverage, owner, uv};
   EXPECT_EQ(case_text(result),
             "  FAILED  clipping/near[angle=30]\n"
@@ -74,6 +76,47 @@ TEST(Terminal, TheSummaryNamesThePartiesAndCounts) {
       "samples over all planes: 100 identical, 10 permitted, 2 imprecise, 1 candidate faults, 4 reference faults\n");
   result.reference = {.driver = "none"};
   EXPECT_EQ(summary_text(result).substr(0, 61), "candidate renderer (8 subpixel bits) against the oracle alone");
+}
+
+TEST(Terminal, NewFaultsOfTheReferenceAndThoseThatAreGoneAreTold) {
+  run::RunResult result;
+  result.reference.driver = "lavapipe";
+  result.reference.version = "Mesa 22.3.6";
+  EXPECT_EQ(deviations_text(result, {}), "");
+  EXPECT_EQ(deviations_text(result, {.unexpected = {{.case_name = "a/b", .plane = "depth", .samples = 3}},
+                                     .known = {{.case_name = "a/c", .plane = "depth", .samples = 1}},
+                                     .gone = {{.case_pattern = "a/*", .planes = {"owner", "hits"}}}}),
+            "1 of its known deviations were met, listed in lavapipe-22.3.6.toml\n"
+            "NEW fault of lavapipe: a/b, depth, 3 samples\n"
+            "GONE from lavapipe: a/* (owner, hits) no longer occurs\n");
+}
+
+TEST(Terminal, TwoReferencesThatDisagreeAreToldApart) {
+  judge::PlaneVerdict coverage{.name = "coverage", .kind = judge::PlaneKind::kCoverage};
+  coverage.counts = {10, 4, 0, 2, 3, 1};
+  run::CaseResult one{.name = "a/b"};
+  one.verdict.planes = {coverage};
+  run::RunResult result;
+  result.candidate = "lavapipe";
+  result.reference.driver = "swiftshader";
+  result.cases.push_back(one);
+  EXPECT_EQ(
+      disagreements_text(result),
+      "lavapipe and swiftshader draw differently, as permitted, 4 samples of coverage, hits, owner or facing in 1 "
+      "cases, and where one is wrong:\n"
+      "  a/b, coverage: wrong at 3 samples lavapipe, at 2 swiftshader, at 1 both\n");
+}
+
+TEST(Terminal, AFailedCheckIsTold) {
+  run::CaseResult result{.name = "a/b", .status = run::Status::kFailed};
+  result.verdict.planes.emplace_back();
+  result.show_command = "fillrule show 'a/b'";
+  result.checks = {{.name = "second_run"},
+                   {.name = "scissor_crop",
+                    .outcome = judge::CheckResult::Outcome::kFailed,
+                    .message = "depth differs at (1, 2)"}};
+  EXPECT_EQ(case_text(result),
+            "  FAILED  a/b\n    check scissor_crop: depth differs at (1, 2)\n    see it: fillrule show 'a/b'\n");
 }
 
 TEST(Terminal, TimingTellsTheRatioToTheReferenceAlone) {

@@ -2,21 +2,60 @@
 
 #include <fmt/format.h>
 
+#include <memory>
+#include <mutex>
+
 #include "harness/programs/varyings.h"
+#include "harness/run/reference.h"
 
 namespace fillrule::run {
+namespace {
 
-Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options) {
-  if (name != "renderer") {
-    return failure(fmt::format("there is no candidate '{}'", name), "the candidates are: renderer");
-  }
+Candidate make_renderer(const CandidateOptions& options) {
   const renderer::Options renderer_options{.subpixel_bits = options.subpixel_bits, .threads = options.threads};
   const auto draw = [renderer_options](const Case& test_case, uint32_t threads) {
     renderer::Options chosen = renderer_options;
     if (threads != 0) chosen.threads = threads;
     return programs::draw_case(test_case, chosen);
   };
-  return Candidate{.name = name, .subpixel_bits = options.subpixel_bits, .draw = draw};
+  return {.name = "renderer", .subpixel_bits = options.subpixel_bits, .draw = draw};
+}
+
+// A device is for one thread at a time.
+struct SharedDevice {
+  std::mutex mutex;
+  vulkan::Reference device;
+
+  explicit SharedDevice(vulkan::Reference the_device) : device(std::move(the_device)) {}
+
+  Result<Planes> draw(const Case& test_case) {
+    const std::lock_guard lock(mutex);
+    if (const Result<void> can = vulkan::check_case(device.device(), test_case); !can) {
+      return tl::unexpected(can.error());
+    }
+    const Case* const one = &test_case;
+    return std::move(device.draw({&one, 1}).front());
+  }
+};
+
+Result<Candidate> make_driver(const std::string& name, const CandidateOptions& options) {
+  Result<vulkan::Reference> device = open_device(name, options.driver_files, false);
+  if (!device) {
+    Error error = device.error();
+    error.what = fmt::format("there is no candidate '{}': {}", name, error.what);
+    error.hint = "the candidates are renderer and the drivers that 'fillrule devices' lists; " + error.hint;
+    return tl::unexpected(error);
+  }
+  const auto shared = std::make_shared<SharedDevice>(std::move(*device));
+  return Candidate{.name = name,
+                   .subpixel_bits = shared->device.device().subpixel_bits,
+                   .draw = [shared](const Case& test_case, uint32_t) { return shared->draw(test_case); }};
+}
+
+}  // namespace
+
+Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options) {
+  return name == "renderer" ? make_renderer(options) : make_driver(name, options);
 }
 
 }  // namespace fillrule::run

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <string>
+#include <vector>
 
 #include "cases/model/case.h"
 #include "cases/model/planes.h"
@@ -19,11 +20,13 @@ struct Candidate {
 };
 
 struct CandidateOptions {
-  uint32_t subpixel_bits = 8;
-  uint32_t threads = 1;  // that draw one case
+  uint32_t subpixel_bits = 8;             // of the renderer; a driver has its own
+  uint32_t threads = 1;                   // that the renderer draws one case with; a driver has its own
+  std::vector<std::string> driver_files;  // as in vulkan::list_devices
 };
 
-// The candidates there are: "renderer". Any other name is an error that lists them.
+// The candidates there are: "renderer", and every Vulkan driver by the name that `fillrule devices` shows. Any other
+// name is an error that says so.
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options);
 
 }  // namespace fillrule::run

@@ -30,11 +30,20 @@ std::vector<Case> cases() {
   return file.cases;
 }
 
-TEST(Candidate, AnUnknownNameIsAnErrorThatListsTheCandidates) {
+TEST(Candidate, AnUnknownNameIsAnErrorThatTellsWhatThereIs) {
   const auto candidate = make_candidate("painter", {});
   ASSERT_FALSE(candidate);
-  EXPECT_EQ(candidate.error().what, "there is no candidate 'painter'");
-  EXPECT_EQ(candidate.error().hint, "the candidates are: renderer");
+  EXPECT_EQ(candidate.error().what.find("there is no candidate 'painter': no Vulkan device of the driver"), 0U);
+  EXPECT_EQ(candidate.error().hint.find("the candidates are renderer and the drivers"), 0U);
+  EXPECT_NE(candidate.error().hint.find("'lavapipe'"), std::string::npos);
+}
+
+TEST(Candidate, ADriverCanBeJudgedToo) {
+  auto runner = SuiteRunner::create({.candidate = "lavapipe", .reference = kNoReference, .jobs = 2});
+  ASSERT_TRUE(runner);
+  const RunResult result = runner->run(cases());
+  EXPECT_EQ(result.candidate, "lavapipe");
+  EXPECT_EQ(result.summary.failed, 0U);
 }
 
 TEST(SuiteRunner, AMissingReferenceIsAnError) {

@@ -8,9 +8,7 @@
 #include <mutex>
 #include <thread>
 
-#include "harness/programs/glsl.h"
-#include "reference/vulkan/check.h"
-#include "reference/vulkan/reference.h"
+#include "harness/run/reference.h"
 
 namespace fillrule::run {
 namespace {
@@ -215,7 +213,9 @@ struct SuiteRunner::State {
 };
 
 Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
-  Result<Candidate> candidate = make_candidate(options.candidate, options.candidate_options);
+  CandidateOptions candidate_options = options.candidate_options;
+  candidate_options.driver_files = options.driver_files;
+  Result<Candidate> candidate = make_candidate(options.candidate, candidate_options);
   if (!candidate) return tl::unexpected(candidate.error());
   return create(options, std::move(*candidate));
 }
@@ -223,12 +223,7 @@ Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
 Result<SuiteRunner> SuiteRunner::create(const RunOptions& options, Candidate candidate) {
   auto state = std::make_unique<State>(State{options, std::move(candidate), std::nullopt});
   if (options.reference != kNoReference) {
-    Result<vulkan::Reference> reference =
-        vulkan::Reference::create({.driver = options.reference,
-                                   .driver_files = options.driver_files,
-                                   .program = {.vertex_glsl = programs::varyings_vertex_glsl(),
-                                               .fragment_glsl = programs::varyings_fragment_glsl()},
-                                   .validation = options.validation});
+    Result<vulkan::Reference> reference = open_device(options.reference, options.driver_files, options.validation);
     if (!reference) return tl::unexpected(reference.error());
     state->reference.emplace(std::move(*reference));
   }

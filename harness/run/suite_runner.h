@@ -22,7 +22,7 @@ namespace fillrule::run {
 inline constexpr const char* kNoReference = "none";
 
 struct RunOptions {
-  std::string candidate = "renderer";
+  std::string candidate = "renderer";  // as make_candidate() names them
   CandidateOptions candidate_options;
   std::string reference = "lavapipe";  // a driver, or kNoReference
   std::vector<std::string> driver_files;

@@ -185,7 +185,7 @@ Coverage Triangle::classify_against(const LinearForm& form, double dx, double dy
       form.reach(0x1p-52 * (std::abs(dx) + std::abs(centre_x_)), 0x1p-52 * (std::abs(dy) + std::abs(centre_y_)));
   if (value > reach + slack) return Coverage::kMust;
   if (value < -reach - slack) return Coverage::kMustNot;
-  if (std::abs(value) < reach - slack) return Coverage::kMay;
+  if (std::abs(value) <= reach - slack) return Coverage::kMay;
   return exact_classification(*this, exact_form, dx + centre_x_, dy + centre_y_, latitude);
 }
 

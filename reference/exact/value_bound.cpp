@@ -3,29 +3,28 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <glm/vec2.hpp>
 #include <limits>
 
 namespace fillrule::exact {
 namespace {
 
 constexpr double kUnitRoundoff = 0x1p-24;
-// In the units of README.md, section "Values": a vertex's value is rounded about twice before it is used, a coordinate
-// four times, and what depends on the gradient once where terms cancel, four times where they do not.
+// In the units of README.md, section "Values": a vertex's value is rounded about twice before it is used, a
+// coordinate four times, and what depends on the gradient once where terms cancel, four times where they do not.
 constexpr double kValueRoundings = 2;
+constexpr double kQuotientRoundings = 2;  // what C stands for twice in the tolerance of a smooth varying
 constexpr double kPositionRoundings = 4;
 constexpr double kGradientRoundings = 4;
+// What is lost where a denormal is flushed to zero, which Vulkan permits: as a magnitude that rounds by as much.
+constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
 
-struct Vector2 {
-  double x = 0;
-  double y = 0;
-};
-
 // Window positions, relative to the viewport's centre.
-std::array<Vector2, 3> positions(const Triangle& triangle) {
-  std::array<Vector2, 3> result;
+std::array<glm::dvec2, 3> positions(const Triangle& triangle) {
+  std::array<glm::dvec2, 3> result;
   for (size_t i = 0; i < 3; ++i) {
-    result[i] = {.x = triangle.u(i) / triangle.w(i), .y = triangle.v(i) / triangle.w(i)};
+    result[i] = glm::dvec2(triangle.u(i), triangle.v(i)) / triangle.w(i);
   }
   return result;
 }
@@ -35,6 +34,11 @@ double clamp_depth(double depth) {
 }
 
 }  // namespace
+
+double Tolerance::total() const {
+  const double sum = snapping + rounding;
+  return std::isfinite(sum) ? sum : kUnbounded;
+}
 
 WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, const std::array<double, 3>& q,
                            Gradient gradient)
@@ -50,13 +54,14 @@ WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, con
     largest_y = std::max(largest_y, std::abs(p[i].y + triangle.centre_y()));
   }
   const VkViewport& viewport = triangle.viewport();
-  constant_ = kValueRoundings * largest_ + gx * (kPositionRoundings * largest_x + double{viewport.width}) +
+  constant_ = kValueRoundings * (largest_ + kFlushed) +
+              gx * (kPositionRoundings * largest_x + double{viewport.width}) +
               gy * (kPositionRoundings * largest_y + std::abs(double{viewport.height}));
   for (size_t o = 0; o < 3; ++o) {
     const size_t i1 = (o + 1) % 3;
     const size_t i2 = (o + 2) % 3;
-    const Vector2 e1{.x = p[i1].x - p[o].x, .y = p[i1].y - p[o].y};
-    const Vector2 e2{.x = p[i2].x - p[o].x, .y = p[i2].y - p[o].y};
+    const glm::dvec2 e1 = p[i1] - p[o];
+    const glm::dvec2 e2 = p[i2] - p[o];
     const double det = std::abs(e1.x * e2.y - e2.x * e1.y);
     const double kappa = (std::abs(e1.x * e2.y) + std::abs(e2.x * e1.y)) / det;
     double sum_x = 0;
@@ -70,12 +75,15 @@ WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, con
       sum_x = std::abs(q[o]) * (std::abs(e1.y) + std::abs(e2.y)) + std::abs(q[i1] * e2.y) + std::abs(q[i2] * e1.y);
       sum_y = std::abs(q[o]) * (std::abs(e1.x) + std::abs(e2.x)) + std::abs(q[i1] * e2.x) + std::abs(q[i2] * e1.x);
     }
+    // A lost vertex value, product or gradient, by its share of the gradient.
+    const double flushed_x = kFlushed * (1 + (2 + std::abs(e1.y) + std::abs(e2.y)) / det);
+    const double flushed_y = kFlushed * (1 + (2 + std::abs(e1.x) + std::abs(e2.x)) / det);
     const double cancelling_x = sum_x / det + gx * kappa;
     const double cancelling_y = sum_y / det + gy * kappa;
     anchors_[o] = {.x = p[o].x,
                    .y = p[o].y,
-                   .per_x = cancelling_x + std::min(kGradientRoundings * gx, cancelling_x),
-                   .per_y = cancelling_y + std::min(kGradientRoundings * gy, cancelling_y)};
+                   .per_x = cancelling_x + std::min(kGradientRoundings * gx, cancelling_x) + flushed_x,
+                   .per_y = cancelling_y + std::min(kGradientRoundings * gy, cancelling_y) + flushed_y};
   }
   centre_x_ = triangle.centre_x();
   centre_y_ = triangle.centre_y();
@@ -120,10 +128,9 @@ double TriangleValues::barycentric_size(double dx, double dy) const {
   return size;
 }
 
-double TriangleValues::depth_tolerance(double dx, double dy) const {
-  const double tolerance = barycentric_size(dx, dy) * depth_.form().reach(latitude_.x, latitude_.y) +
-                           kUnitRoundoff * depth_.condition(dx, dy);
-  return std::isfinite(tolerance) ? tolerance : kUnbounded;
+Tolerance TriangleValues::linear_tolerance(const WindowLinear& quantity, double dx, double dy) const {
+  return {.snapping = barycentric_size(dx, dy) * quantity.form().reach(latitude_.x, latitude_.y),
+          .rounding = kUnitRoundoff * quantity.condition(dx, dy)};
 }
 
 double TriangleValues::least_linear(const WindowLinear& quantity) const {
@@ -133,7 +140,7 @@ double TriangleValues::least_linear(const WindowLinear& quantity) const {
 Expected TriangleValues::depth(double x, double y) const {
   const double dx = x - triangle_->centre_x();
   const double dy = y - triangle_->centre_y();
-  return {.value = clamp_depth(depth_.at(dx, dy)), .tolerance = depth_tolerance(dx, dy)};
+  return {.value = clamp_depth(depth_.at(dx, dy)), .tolerance = linear_tolerance(depth_, dx, dy).total()};
 }
 
 Expected TriangleValues::depth_for(float value, double x, double y) const {
@@ -142,7 +149,7 @@ Expected TriangleValues::depth_for(float value, double x, double y) const {
   const double exact = clamp_depth(depth_.at(dx, dy));
   const double least = least_linear(depth_);
   if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
-  return {.value = exact, .tolerance = depth_tolerance(dx, dy)};
+  return {.value = exact, .tolerance = linear_tolerance(depth_, dx, dy).total()};
 }
 
 TriangleValues::Component TriangleValues::component(Interpolation interpolation, const std::array<float, 3>& values,
@@ -166,7 +173,7 @@ TriangleValues::Component TriangleValues::component(Interpolation interpolation,
   return result;
 }
 
-double TriangleValues::smooth_tolerance(const Component& component, double value, double dx, double dy) const {
+Tolerance TriangleValues::smooth_tolerance(const Component& component, double value, double dx, double dy) const {
   const double size = barycentric_size(dx, dy);
   const double reciprocal = reciprocal_w_.at(dx, dy);
   double moved = 0;
@@ -175,15 +182,12 @@ double TriangleValues::smooth_tolerance(const Component& component, double value
       const double x = dx + sign_x * size * latitude_.x;
       const double y = dy + sign_y * size * latitude_.y;
       const double there = reciprocal_w_.at(x, y);
-      if (!(there > 0)) return kUnbounded;
+      if (!(there > 0)) return {.snapping = kUnbounded};
       moved = std::max(moved, std::abs(component.numerator.at(x, y) / there - value));
     }
   }
-  const double rounding =
-      kValueRoundings * kUnitRoundoff *
-      (component.numerator.condition(dx, dy) + std::abs(value) * reciprocal_w_.condition(dx, dy)) / reciprocal;
-  const double tolerance = moved + rounding;
-  return std::isfinite(tolerance) ? tolerance : kUnbounded;
+  const double rounded = component.numerator.condition(dx, dy) + std::abs(value) * reciprocal_w_.condition(dx, dy);
+  return {.snapping = moved, .rounding = kQuotientRoundings * kUnitRoundoff * rounded / reciprocal};
 }
 
 Expected TriangleValues::varying(const Component& component, double x, double y) const {
@@ -199,9 +203,7 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
     const double exact = component.numerator.at(dx, dy);
     const double least = least_linear(component.numerator);
     if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
-    const double tolerance = barycentric_size(dx, dy) * component.numerator.form().reach(latitude_.x, latitude_.y) +
-                             kUnitRoundoff * component.numerator.condition(dx, dy);
-    return {.value = exact, .tolerance = std::isfinite(tolerance) ? tolerance : kUnbounded};
+    return {.value = exact, .tolerance = linear_tolerance(component.numerator, dx, dy).total()};
   }
   const double reciprocal = reciprocal_w_.at(dx, dy);
   const double exact = component.numerator.at(dx, dy) / reciprocal;
@@ -209,7 +211,50 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
   const double least = kValueRoundings * kUnitRoundoff *
                        (component.numerator.largest() + std::abs(exact) * reciprocal_w_.largest()) / reciprocal;
   if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
-  return {.value = exact, .tolerance = smooth_tolerance(component, exact, dx, dy)};
+  return {.value = exact, .tolerance = smooth_tolerance(component, exact, dx, dy).total()};
+}
+
+Tolerance TriangleValues::depth_tolerance(double x, double y) const {
+  return linear_tolerance(depth_, x - triangle_->centre_x(), y - triangle_->centre_y());
+}
+
+Tolerance TriangleValues::varying_tolerance(const Component& component, double x, double y) const {
+  if (component.interpolation == Interpolation::kFlat) return {};
+  if (!component.judged) return {.snapping = kUnbounded, .rounding = kUnbounded};
+  const double dx = x - triangle_->centre_x();
+  const double dy = y - triangle_->centre_y();
+  if (component.interpolation == Interpolation::kNoperspective) return linear_tolerance(component.numerator, dx, dy);
+  return smooth_tolerance(component, component.numerator.at(dx, dy) / reciprocal_w_.at(dx, dy), dx, dy);
+}
+
+// The last term: dx and dy round where the viewport's centre is no short number.
+double TriangleValues::form_error(const LinearForm& form, double dx, double dy) const {
+  return form.error_at(dx, dy) + form.reach(0x1p-52 * (std::abs(dx) + std::abs(triangle_->centre_x())),
+                                            0x1p-52 * (std::abs(dy) + std::abs(triangle_->centre_y())));
+}
+
+double TriangleValues::depth_error(double x, double y) const {
+  const double dx = x - triangle_->centre_x();
+  const double dy = y - triangle_->centre_y();
+  // Scaling to the depth range rounds three times, to numbers of at most the terms' sum plus 1.
+  const LinearForm& form = depth_.form();
+  const double terms = std::abs(form.a * dx) + std::abs(form.b * dy) + std::abs(form.c) + 1;
+  return form_error(form, dx, dy) + 0x1p-51 * terms;
+}
+
+double TriangleValues::varying_error(const Component& component, double x, double y) const {
+  if (component.interpolation == Interpolation::kFlat) return 0;
+  const double dx = x - triangle_->centre_x();
+  const double dy = y - triangle_->centre_y();
+  const LinearForm& numerator = component.numerator.form();
+  const double numerator_error = form_error(numerator, dx, dy);
+  if (component.interpolation == Interpolation::kNoperspective) return numerator_error;
+  // |n'/r' - n/r| <= (|n' - n| + |n/r| |r' - r|) / |r'|, and the quotient rounds.
+  const double reciprocal = std::abs(reciprocal_w_.at(dx, dy));
+  const double reciprocal_error = form_error(reciprocal_w_.form(), dx, dy);
+  if (!(reciprocal > 2 * reciprocal_error)) return kUnbounded;
+  const double largest = (std::abs(numerator.at(dx, dy)) + numerator_error) / (reciprocal - reciprocal_error);
+  return ((numerator_error + largest * reciprocal_error) / reciprocal + 0x1p-52 * largest) * (1 + 0x1p-48);
 }
 
 void TriangleValues::depth_row(double x, double y, std::span<double> expected, std::span<double> least) const {
@@ -260,7 +305,7 @@ TriangleValues::DepthRange TriangleValues::depth_range() const {
     const double dy = triangle_->v(i) / triangle_->w(i);
     range.low = std::min(range.low, depth_.at(dx, dy));
     range.high = std::max(range.high, depth_.at(dx, dy));
-    tolerance = std::max(tolerance, depth_tolerance(dx, dy));
+    tolerance = std::max(tolerance, linear_tolerance(depth_, dx, dy).total());
   }
   return {.low = range.low - tolerance, .high = range.high + tolerance};
 }

@@ -21,6 +21,14 @@ struct Expected {
   double tolerance = 0;  // infinity where the value is not judged
 };
 
+// What a tolerance is made of: interpolating between rounded vertices, and rounding on the way.
+struct Tolerance {
+  double snapping = 0;
+  double rounding = 0;
+  // Infinite where either is unknown.
+  [[nodiscard]] double total() const;
+};
+
 // A quantity that is linear in the window, its values at the vertices, and the condition of computing it from them.
 class WindowLinear {
  public:
@@ -78,6 +86,14 @@ class TriangleValues {
   [[nodiscard]] Expected varying(const Component& component, double x, double y) const;
   [[nodiscard]] Expected varying_for(const Component& component, float value, double x, double y) const;
 
+  // What the tolerances of depth() and varying() are made of.
+  [[nodiscard]] Tolerance depth_tolerance(double x, double y) const;
+  [[nodiscard]] Tolerance varying_tolerance(const Component& component, double x, double y) const;
+
+  // Certain bounds of how far the values that depth() and varying() give, doubles, are from the exact ones.
+  [[nodiscard]] double depth_error(double x, double y) const;
+  [[nodiscard]] double varying_error(const Component& component, double x, double y) const;
+
   // The same for a row of samples at (x + i, y), i from 0: exact values, and for each a tolerance that is no more
   // than the one that varying() and depth() would give. Cheap, for the many values that are well within it.
   void depth_row(double x, double y, std::span<double> expected, std::span<double> least) const;
@@ -98,10 +114,11 @@ class TriangleValues {
 
  private:
   [[nodiscard]] double barycentric_size(double dx, double dy) const;
-  [[nodiscard]] double depth_tolerance(double dx, double dy) const;
+  [[nodiscard]] double form_error(const LinearForm& form, double dx, double dy) const;
+  [[nodiscard]] Tolerance linear_tolerance(const WindowLinear& quantity, double dx, double dy) const;
   // A lower bound of the tolerance of a quantity that is linear in the window: A >= 1 and C >= max |q_i|.
   [[nodiscard]] double least_linear(const WindowLinear& quantity) const;
-  [[nodiscard]] double smooth_tolerance(const Component& component, double value, double dx, double dy) const;
+  [[nodiscard]] Tolerance smooth_tolerance(const Component& component, double value, double dx, double dy) const;
 
   const Triangle* triangle_;
   Latitude latitude_;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cfloat>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -106,6 +108,56 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
     }
   }
   EXPECT_GT(compared, 1000);
+}
+
+TEST(TriangleValues, DoublesAreNoFurtherFromTheExactValuesThanTheySay) {
+  constexpr int kTriangles = 3000;
+  std::mt19937_64 random(71);
+  int asked = 0;
+  int close = 0;
+  // Returns whether the bound is small enough to be of use.
+  const auto check = [](double value, double exact, double error) {
+    EXPECT_LE(std::abs(value - exact), error);
+    return error < 1e-9 * (1 + std::abs(exact));
+  };
+  for (int i = 0; i < kTriangles; ++i) {
+    const RandomTriangle picked = random_triangle(static_cast<Family>(i % static_cast<int>(kFamilies)), random);
+    const Triangle triangle(picked.vertices, picked.viewport);
+    if (triangle.undefined() || triangle.orientation() == 0) continue;
+    const TriangleValues values(triangle, latitude_of(picked.viewport, 8));
+    const std::array<float, 3> q{1.25F, -3.5F, 1e3F};
+    const auto smooth = values.component(Interpolation::kSmooth, q, 0);
+    const auto linear = values.component(Interpolation::kNoperspective, q, 0);
+    const double x = static_cast<double>(random() % 64) + 0.5;
+    const double y = static_cast<double>(random() % 64) + 0.5;
+    SCOPED_TRACE(testing::Message() << "triangle " << i << " at " << x << ", " << y);
+    const bool depth_is_close =
+        check(values.depth(x, y).value, std::clamp(exact_depth(triangle, x, y), 0.0, 1.0), values.depth_error(x, y));
+    const bool smooth_is_close = check(values.varying(smooth, x, y).value, exact_smooth(triangle, q, x, y),
+                                       values.varying_error(smooth, x, y));
+    const bool linear_is_close = check(values.varying(linear, x, y).value, exact_noperspective(triangle, q, x, y),
+                                       values.varying_error(linear, x, y));
+    close += depth_is_close && smooth_is_close && linear_is_close ? 1 : 0;
+    ++asked;
+  }
+  EXPECT_GT(close, asked * 3 / 5);
+}
+
+// Lavapipe, clip space scaled by 2^100: 1/w is near FLT_MIN, and so are the steps of a/w from pixel to pixel.
+TEST(TriangleValues, WhatIsFlushedToZeroIsNobodysFault) {
+  const auto tolerance_at_scale = [](float scale) {
+    std::array<ClipPosition, 3> vertices = slanted().vertices();
+    for (ClipPosition& vertex : vertices) {
+      for (float& coordinate : vertex) coordinate *= scale;
+    }
+    const Triangle triangle(vertices, kViewport);
+    const TriangleValues values(triangle, latitude_of(kViewport, 8));
+    const auto smooth = values.component(Interpolation::kSmooth, {0.25F, 0.5F, 0.75F}, 0);
+    return values.varying(smooth, 20.5, 20.5).tolerance;
+  };
+  const double ordinary = tolerance_at_scale(1);
+  EXPECT_NEAR(tolerance_at_scale(0x1p60F), ordinary, 1e-9 * ordinary);
+  EXPECT_GT(tolerance_at_scale(0x1p110F), ordinary + double{FLT_MIN} * 0x1p110 * 20);
 }
 
 }  // namespace

@@ -22,22 +22,22 @@ class Device {
  public:
   static Result<Device> create(const PhysicalDevice& physical);
 
-  VkDevice get() const { return handle_.get(); }
-  VkPhysicalDevice physical() const { return physical_; }
-  const DeviceInfo& info() const { return info_; }
-  VkQueue queue() const { return queue_; }
-  uint32_t queue_family() const { return queue_family_; }
+  [[nodiscard]] VkDevice get() const { return handle_.get(); }
+  [[nodiscard]] VkPhysicalDevice physical() const { return physical_; }
+  [[nodiscard]] const DeviceInfo& info() const { return info_; }
+  [[nodiscard]] VkQueue queue() const { return queue_; }
+  [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
 
   // How many vec4 slots one pass can write.
-  uint32_t slots_per_pass() const { return slots_per_pass_; }
-  uint64_t max_buffer_bytes() const { return max_buffer_bytes_; }
-  uint64_t max_allocation_bytes() const { return max_allocation_bytes_; }
+  [[nodiscard]] uint32_t slots_per_pass() const { return slots_per_pass_; }
+  [[nodiscard]] uint64_t max_buffer_bytes() const { return max_buffer_bytes_; }
+  [[nodiscard]] uint64_t max_allocation_bytes() const { return max_allocation_bytes_; }
   // The memory that can still be allocated, as far as the device tells.
-  uint64_t available_bytes() const;
+  [[nodiscard]] uint64_t available_bytes() const;
 
   // Memory of the first type that `requirements` allow and that has all of `wanted`, or else all of `needed`.
-  Result<Memory> allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags needed,
-                          VkMemoryPropertyFlags wanted) const;
+  [[nodiscard]] Result<Memory> allocate(const VkMemoryRequirements& requirements, VkMemoryPropertyFlags needed,
+                                        VkMemoryPropertyFlags wanted) const;
 
  private:
   Device() = default;
@@ -61,9 +61,9 @@ class HostBuffer {
   HostBuffer() = default;
   static Result<HostBuffer> create(const Device& device, uint64_t bytes, VkBufferUsageFlags usage);
 
-  VkBuffer get() const { return buffer_.get(); }
-  uint64_t size() const { return bytes_.size(); }
-  std::span<std::byte> bytes() const { return bytes_; }
+  [[nodiscard]] VkBuffer get() const { return buffer_.get(); }
+  [[nodiscard]] uint64_t size() const { return bytes_.size(); }
+  [[nodiscard]] std::span<std::byte> bytes() const { return bytes_; }
 
  private:
   Memory memory_;

@@ -30,7 +30,7 @@ class RootHandle {
     if (handle_ != VK_NULL_HANDLE) Destroy(handle_, nullptr);
   }
 
-  Handle get() const { return handle_; }
+  [[nodiscard]] Handle get() const { return handle_; }
 
  private:
   Handle handle_ = VK_NULL_HANDLE;
@@ -55,7 +55,7 @@ class DeviceHandle {
     if (handle_ != VK_NULL_HANDLE) Destroy(device_, handle_, nullptr);
   }
 
-  Handle get() const { return handle_; }
+  [[nodiscard]] Handle get() const { return handle_; }
 
  private:
   VkDevice device_ = VK_NULL_HANDLE;

@@ -1,6 +1,7 @@
 #include "reference/vulkan/instance.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
@@ -71,6 +72,14 @@ bool layer_is_installed(std::string_view name) {
   return std::ranges::any_of(layers, [&](const VkLayerProperties& layer) { return layer.layerName == name; });
 }
 
+// The driver's own text, or where it has none the version number, by Vulkan's packing.
+std::string version_of(const VkPhysicalDeviceDriverProperties& driver, const VkPhysicalDeviceProperties& properties) {
+  if (driver.driverInfo[0] != '\0') return driver.driverInfo;
+  const uint32_t version = properties.driverVersion;
+  return fmt::format("{}.{}.{}", VK_API_VERSION_MAJOR(version), VK_API_VERSION_MINOR(version),
+                     VK_API_VERSION_PATCH(version));
+}
+
 DeviceInfo describe(VkPhysicalDevice device) {
   VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 properties2{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
@@ -90,7 +99,7 @@ DeviceInfo describe(VkPhysicalDevice device) {
   return {.name = properties.deviceName,
           .driver = driver_name(driver.driverID),
           .driver_id = driver.driverID,
-          .driver_version = driver.driverInfo,
+          .driver_version = version_of(driver, properties),
           .api_version = properties.apiVersion,
           .subpixel_bits = limits.subPixelPrecisionBits,
           .max_target_size = max_target_size,
@@ -185,6 +194,25 @@ Result<std::vector<PhysicalDevice>> Instance::physical_devices() const {
   devices.reserve(count);
   for (VkPhysicalDevice handle : handles) devices.push_back({.handle = handle, .info = describe(handle)});
   return devices;
+}
+
+Result<PhysicalDevice> Instance::choose_device(const std::string& driver) const {
+  const auto devices = physical_devices();
+  if (!devices) return tl::unexpected(devices.error());
+  const auto found =
+      std::ranges::find_if(*devices, [&](const PhysicalDevice& device) { return device.info.driver == driver; });
+  if (found != devices->end()) return *found;
+  if (devices->empty()) {
+    return failure(fmt::format("no Vulkan device of the driver '{}': no device at all was found", driver),
+                   "install a driver, such as the package mesa-vulkan-drivers");
+  }
+  std::vector<std::string> names;
+  names.reserve(devices->size());
+  for (const PhysicalDevice& device : *devices) {
+    names.push_back(fmt::format("'{}' ({})", device.info.driver, device.info.name));
+  }
+  return failure(fmt::format("no Vulkan device of the driver '{}'", driver),
+                 fmt::format("the devices found are {}", fmt::join(names, ", ")));
 }
 
 Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver_files) {

@@ -40,9 +40,11 @@ class Instance {
   Instance& operator=(const Instance&) = delete;
   ~Instance();
 
-  VkInstance get() const { return handle_.get(); }
-  const ValidationLog& log() const { return *log_; }
-  Result<std::vector<PhysicalDevice>> physical_devices() const;
+  [[nodiscard]] VkInstance get() const { return handle_.get(); }
+  [[nodiscard]] const ValidationLog& log() const { return *log_; }
+  [[nodiscard]] Result<std::vector<PhysicalDevice>> physical_devices() const;
+  // The first device of the driver (DeviceInfo::driver). The error names the devices that are there.
+  [[nodiscard]] Result<PhysicalDevice> choose_device(const std::string& driver) const;
 
  private:
   Instance() = default;

@@ -17,7 +17,7 @@ struct SlotCounts {
   uint32_t noperspective = 0;
   uint32_t flat = 0;
 
-  uint32_t total() const { return smooth + noperspective + flat; }
+  [[nodiscard]] uint32_t total() const { return smooth + noperspective + flat; }
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm at the comparison with zero
   auto operator<=>(const SlotCounts&) const = default;
 };

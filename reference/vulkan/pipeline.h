@@ -41,13 +41,13 @@ class PipelineCache {
   // Compiles the program once without slots, so that its faults show at once. `device` must outlive the cache.
   static Result<PipelineCache> create(const Device& device, Program program, bool use_primitive_id);
 
-  VkPipelineLayout layout() const { return layout_.get(); }
-  bool uses_primitive_id() const { return use_primitive_id_; }
+  [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
+  [[nodiscard]] bool uses_primitive_id() const { return use_primitive_id_; }
   Result<VkPipeline> find_or_create(const PipelineKey& key);
 
  private:
   PipelineCache() = default;
-  Result<ShaderModule> compile(VkShaderStageFlagBits stage, const SlotCounts& slots) const;
+  [[nodiscard]] Result<ShaderModule> compile(VkShaderStageFlagBits stage, const SlotCounts& slots) const;
 
   const Device* device_ = nullptr;
   Program program_;

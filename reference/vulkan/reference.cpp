@@ -1,38 +1,11 @@
 #include "reference/vulkan/reference.h"
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <optional>
 #include <utility>
 
 #include "reference/vulkan/submission.h"
 
 namespace fillrule::vulkan {
-namespace {
-
-Result<PhysicalDevice> choose_device(const Instance& instance, const std::string& driver) {
-  const auto devices = instance.physical_devices();
-  if (!devices) return tl::unexpected(devices.error());
-  const auto found =
-      std::ranges::find_if(*devices, [&](const PhysicalDevice& device) { return device.info.driver == driver; });
-  if (found != devices->end()) return *found;
-  if (devices->empty()) {
-    return failure(fmt::format("no Vulkan device of the driver '{}': no device at all was found", driver),
-                   "install a driver, such as the package mesa-vulkan-drivers");
-  }
-  std::vector<std::string> names;
-  names.reserve(devices->size());
-  for (const PhysicalDevice& device : *devices) {
-    names.push_back(fmt::format("'{}' ({})", device.info.driver, device.info.name));
-  }
-  return failure(fmt::format("no Vulkan device of the driver '{}'", driver),
-                 fmt::format("the devices found are {}", fmt::join(names, ", ")));
-}
-
-}  // namespace
-
 // Members refer to those above them, which therefore never move.
 struct Reference::State {
   State(Instance the_instance, Device the_device)
@@ -47,7 +20,7 @@ struct Reference::State {
 Result<Reference> Reference::create(const Options& options) {
   Result<Instance> instance = Instance::create(options.driver_files, options.validation);
   if (!instance) return tl::unexpected(instance.error());
-  const Result<PhysicalDevice> physical = choose_device(*instance, options.driver);
+  const Result<PhysicalDevice> physical = instance->choose_device(options.driver);
   if (!physical) return tl::unexpected(physical.error());
   Result<Device> device = Device::create(*physical);
   if (!device) return tl::unexpected(device.error());

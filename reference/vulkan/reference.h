@@ -25,7 +25,7 @@ struct DeviceInfo {
   std::string name;              // "llvmpipe (LLVM 15.0.6, 256 bits)"
   std::string driver;            // the short name that Options::driver takes: "lavapipe", "swiftshader", ...
   VkDriverId driver_id{};        // 0 where the driver does not tell
-  std::string driver_version;    // the driver's own text: "Mesa 22.3.6 (LLVM 15.0.6)"
+  std::string driver_version;    // "Mesa 22.3.6 (LLVM 15.0.6)", "5.0.0"
   uint32_t api_version = 0;      // as in VK_MAKE_API_VERSION
   uint32_t subpixel_bits = 0;    // subPixelPrecisionBits
   uint32_t max_target_size = 0;  // pixels, of width and of height
@@ -79,14 +79,14 @@ class Reference {
   Reference& operator=(const Reference&) = delete;
   ~Reference();
 
-  const DeviceInfo& device() const;
+  [[nodiscard]] const DeviceInfo& device() const;
 
   // Draws all cases in as few submissions as bytes_in_flight allows. Result i belongs to case i; the error of one
   // leaves the others drawn.
   std::vector<Result<Planes>> draw(std::span<const Case* const> cases);
 
   // Everything the validation layers had to say so far.
-  std::vector<std::string> validation_messages() const;
+  [[nodiscard]] std::vector<std::string> validation_messages() const;
 
  private:
   struct State;

@@ -171,7 +171,7 @@ Case ramps(const std::vector<Varying>& varyings) {
 
 void expect_ramps(const Planes& planes, const std::vector<Varying>& varyings) {
   ASSERT_EQ(planes.varyings.size(), component_count(varyings));
-  constexpr uint32_t x = 10;
+  const uint32_t x = 10;
   size_t k = 0;
   for (const Varying& varying : varyings) {
     for (uint32_t i = 0; i < varying.components; ++i, ++k) {

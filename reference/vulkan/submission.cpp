@@ -108,11 +108,11 @@ Result<void> Submitter::place(std::span<CaseJob> jobs) {
 }
 
 Result<void> Submitter::fit(HostBuffer& buffer, uint64_t bytes, VkBufferUsageFlags usage) const {
-  constexpr uint64_t min_bytes = uint64_t{1} << 16U;
+  constexpr uint64_t kMinBytes = uint64_t{1} << 16U;
   const bool is_oversized = buffer.size() > bytes_in_flight_ && bytes <= bytes_in_flight_;
   if (buffer.size() >= bytes && buffer.size() > 0 && !is_oversized) return {};
   buffer = HostBuffer();
-  const uint64_t generous = std::min(std::bit_ceil(std::max(bytes, min_bytes)), bytes_in_flight_);
+  const uint64_t generous = std::min(std::bit_ceil(std::max(bytes, kMinBytes)), bytes_in_flight_);
   Result<HostBuffer> created = HostBuffer::create(*device_, std::max(bytes, generous), usage);
   if (!created) return tl::unexpected(created.error());
   buffer = std::move(*created);

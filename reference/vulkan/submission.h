@@ -15,9 +15,9 @@ class Submitter {
   static Result<Submitter> create(const Device& device, PipelineCache& pipelines, uint64_t bytes_in_flight);
 
   // What one submission should use at most.
-  uint64_t bytes_in_flight() const { return bytes_in_flight_; }
+  [[nodiscard]] uint64_t bytes_in_flight() const { return bytes_in_flight_; }
   // What a case needs, or why it cannot be drawn here.
-  Result<CaseNeeds> needs(const Case& drawn) const;
+  [[nodiscard]] Result<CaseNeeds> needs(const Case& drawn) const;
   // Draws the jobs and puts planes or error at each one's result_index.
   void draw(std::vector<CaseJob> jobs, std::span<Result<Planes>> results);
 

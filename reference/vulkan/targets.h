@@ -34,11 +34,11 @@ class TargetSet {
   // Fails, naming the key "target.size", where the device cannot have such images.
   static Result<TargetSet> create(const Device& device, const TargetKey& key);
 
-  const TargetKey& key() const { return key_; }
+  [[nodiscard]] const TargetKey& key() const { return key_; }
   // Hits, owner, then the slots; the depth attachment last, if there is one.
-  const std::vector<Attachment>& attachments() const { return attachments_; }
-  bool has_depth() const { return key_.depth_format != VK_FORMAT_UNDEFINED; }
-  uint64_t bytes() const { return bytes_; }
+  [[nodiscard]] const std::vector<Attachment>& attachments() const { return attachments_; }
+  [[nodiscard]] bool has_depth() const { return key_.depth_format != VK_FORMAT_UNDEFINED; }
+  [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
  private:
   TargetSet() = default;

@@ -6,14 +6,6 @@
 #include <memory>
 #include <stdexcept>
 
-// What the leak sanitizer leaves out: the driver and the layer keep a few bytes of their own.
-// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl*,readability-identifier-naming): the sanitizer's name for it
-extern "C" const char* __lsan_default_suppressions();
-// NOLINTNEXTLINE(bugprone-reserved-identifier,cert-dcl*,readability-identifier-naming): the sanitizer's name for it
-extern "C" const char* __lsan_default_suppressions() {
-  return "leak:libvulkan_lvp.so\nleak:libVkLayer_khronos_validation.so\nleak:libLLVM\n";
-}
-
 namespace fillrule::vulkan {
 namespace {
 

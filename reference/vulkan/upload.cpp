@@ -21,7 +21,7 @@ class Writer {
  public:
   Writer(std::span<std::byte> buffer, uint64_t offset) : buffer_(buffer), offset_(offset) {}
 
-  uint64_t offset() const { return offset_; }
+  [[nodiscard]] uint64_t offset() const { return offset_; }
   template <typename T>
   void write(std::span<const T> values) {
     std::memcpy(buffer_.subspan(offset_, values.size_bytes()).data(), values.data(), values.size_bytes());

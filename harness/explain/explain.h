@@ -1,0 +1,33 @@
+// Gathers what is known about one sample: `fillrule explain`, and what a report embeds.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "cases/model/case.h"
+#include "cases/model/planes.h"
+#include "cases/model/result.h"
+#include "harness/explain/explanation.h"
+#include "harness/judge/judge.h"
+
+namespace fillrule::explain {
+
+struct NamedParty {
+  std::string name;
+  judge::Party party;
+};
+
+struct SampleId {
+  uint32_t x = 0;  // pixel
+  uint32_t y = 0;
+  uint32_t sample = 0;
+};
+
+// `reference` may be null. A sample outside of the target is an error.
+Result<Explanation> explain(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
+                            const judge::Profile& profile, const SampleId& sample);
+
+// The same as text, the reason last.
+std::string to_text(const Explanation& explanation);
+
+}  // namespace fillrule::explain
