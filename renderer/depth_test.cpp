@@ -1,5 +1,6 @@
 #include "renderer/depth.h"
 
+#include <array>
 #include <limits>
 
 #include "renderer/test_scene.h"

@@ -54,7 +54,7 @@ expect 0 'against the oracle alone' "$fillrule" run own/good.toml --reference or
 expect 0 'candidate lavapipe' "$fillrule" run own/good.toml --candidate lavapipe --reference none
 expect 0 'lavapipe and lavapipe draw differently, as permitted, 0 samples' "$fillrule" run own/good.toml --reference lavapipe,lavapipe
 mkdir expected
-printf '[[deviation]]\ncase = "good"\nplanes = ["owner"]\nreason = "r"\nsource = "s"\n' >expected/lavapipe-22.3.6.toml
+printf '[[deviation]]\ncases = ["good"]\nplanes = ["owner"]\nreason = "r"\nsource = "s"\n' >expected/lavapipe-22.3.6.toml
 expect 0 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected
 expect 1 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected --strict-reference
 expect 0 'times that' "$fillrule" run own/good.toml --timing

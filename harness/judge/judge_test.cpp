@@ -196,6 +196,24 @@ TEST(Judge, SameBitsAreNotAskedForWhereRoundingMayCullATriangle) {
   EXPECT_EQ(faults(VK_CULL_MODE_NONE), 1U);
 }
 
+// Its facing is in doubt for a rasterizer that rounds, but vertices on the grid are not rounded.
+TEST(Judge, ASliverOnTheGridThatIsCulledStaysCulledUnderTopLeft) {
+  Case test_case = square();
+  test_case.draws = {draw_of({at(2.5, 4.5), at(12.5, 4.5), at(8.5, 4.5 + 0x1p-8)})};
+  test_case.draws[0].state.cull_mode = VK_CULL_MODE_BACK_BIT;
+  test_case.draws[0].state.depth_test = false;
+  const Planes nothing = Planes::cleared(kSize, kSize, 1, component_count(test_case.varyings), 1.0F);
+  EXPECT_TRUE(exact::Expectation(test_case, 8).primitives()[0].facing_in_doubt);
+  const auto faults = [&](bool top_left) {
+    return judge(test_case, {.planes = &nothing}, nullptr, {.profile = {.top_left = top_left}}).candidate_faults();
+  };
+  EXPECT_EQ(faults(false), 0U);
+  EXPECT_EQ(faults(true), 0U);
+  test_case.draws[0].state.cull_mode = VK_CULL_MODE_NONE;
+  EXPECT_EQ(faults(false), 0U);
+  EXPECT_GT(faults(true), 0U);
+}
+
 TEST(Judge, AWrongFacingIsAFault) {
   expect_fault("front_facing", [](Planes& planes) { planes.front_facing[index_of(4, 4)] ^= 1U; });
 }

@@ -140,8 +140,9 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
 void Replay::resolve_ties(double x, double y) {
   for (Entry& entry : entries_) {
     if (entry.coverage == Coverage::kMust || !resolved_by_top_left(entry)) continue;
-    const bool owns = expectation_.primitives()[entry.primitive].triangle.owns(x, y);
-    entry.coverage = owns ? Coverage::kMust : Coverage::kMustNot;
+    // Nothing is rounded, so the facing is certain too.
+    const Primitive& primitive = expectation_.primitives()[entry.primitive];
+    entry.coverage = !primitive.culled && primitive.triangle.owns(x, y) ? Coverage::kMust : Coverage::kMustNot;
   }
   std::erase_if(entries_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
 }

@@ -75,8 +75,7 @@ Json deviations_json(const run::DeviationReport& deviations) {
     return json;
   };
   Json gone = Json::array();
-  for (const run::Deviation& one : deviations.gone)
-    gone.push_back({{"case", one.case_pattern}, {"planes", one.planes}});
+  for (const run::Deviation& one : deviations.gone) gone.push_back({{"cases", one.cases}, {"planes", one.planes}});
   return {{"known", faults_json(deviations.known)},
           {"unexpected", faults_json(deviations.unexpected)},
           {"gone", std::move(gone)}};

@@ -32,7 +32,7 @@ run::RunResult one_failure() {
 
 run::DeviationReport one_unexpected() {
   return {.unexpected = {{.case_name = "a/b", .plane = "depth", .samples = 3}},
-          .gone = {{.case_pattern = "a/*", .planes = {"owner"}}}};
+          .gone = {{.cases = {"a/*"}, .planes = {"owner"}}}};
 }
 
 TEST(Json, HoldsTheDeviations) {

@@ -126,7 +126,7 @@ std::string deviations_text(const run::RunResult& result, const run::DeviationRe
     text += fmt::format("NEW fault of {}: {}, {}, {} samples\n", driver, fault.case_name, fault.plane, fault.samples);
   }
   for (const run::Deviation& gone : deviations.gone) {
-    text += fmt::format("GONE from {}: {} ({}) no longer occurs\n", driver, gone.case_pattern,
+    text += fmt::format("GONE from {}: {} ({}) no longer occurs\n", driver, fmt::join(gone.cases, ", "),
                         fmt::join(gone.planes, ", "));
   }
   return text;

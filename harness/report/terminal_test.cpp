@@ -85,7 +85,7 @@ TEST(Terminal, NewFaultsOfTheReferenceAndThoseThatAreGoneAreTold) {
   EXPECT_EQ(deviations_text(result, {}), "");
   EXPECT_EQ(deviations_text(result, {.unexpected = {{.case_name = "a/b", .plane = "depth", .samples = 3}},
                                      .known = {{.case_name = "a/c", .plane = "depth", .samples = 1}},
-                                     .gone = {{.case_pattern = "a/*", .planes = {"owner", "hits"}}}}),
+                                     .gone = {{.cases = {"a/*"}, .planes = {"owner", "hits"}}}}),
             "1 of its known deviations were met, listed in lavapipe-22.3.6.toml\n"
             "NEW fault of lavapipe: a/b, depth, 3 samples\n"
             "GONE from lavapipe: a/* (owner, hits) no longer occurs\n");

@@ -19,35 +19,41 @@ std::string read_text(const toml::table& table, std::string_view key, Diagnostic
   if (node == nullptr || !node->is_string() || node->value_or(std::string()).empty()) {
     diagnostics.add(format::place_of(node == nullptr ? static_cast<const toml::node&>(table) : *node),
                     fmt::format("a deviation needs the text \"{}\"", key),
-                    "each has case, planes, reason and source");
+                    "each has cases, planes, reason and source");
     return {};
   }
   return node->value_or(std::string());
 }
 
-std::vector<std::string> read_planes(const toml::table& table, Diagnostics& diagnostics) {
-  std::vector<std::string> planes;
-  if (const toml::array* const array = table["planes"].as_array()) {
-    for (const toml::node& plane : *array) planes.push_back(plane.value_or(std::string()));
+std::vector<std::string> read_texts(const toml::table& table, std::string_view key, std::string_view hint,
+                                    Diagnostics& diagnostics) {
+  std::vector<std::string> texts;
+  if (const toml::array* const array = table[key].as_array()) {
+    for (const toml::node& text : *array) texts.push_back(text.value_or(std::string()));
   }
-  if (planes.empty() || std::find(planes.begin(), planes.end(), "") != planes.end()) {
-    diagnostics.add(format::place_of(table), "a deviation needs the names of its planes",
-                    "write planes = [\"depth\"]");
+  if (texts.empty() || std::find(texts.begin(), texts.end(), "") != texts.end()) {
+    diagnostics.add(format::place_of(table), fmt::format("a deviation needs the list of its {}", key),
+                    std::string(hint));
   }
-  return planes;
+  return texts;
 }
 
 Deviation read_deviation(const toml::table& table, Diagnostics& diagnostics) {
-  format::check_keys({table, "[[deviation]]"}, {"case", "planes", "reason", "source"}, diagnostics);
-  return {.case_pattern = read_text(table, "case", diagnostics),
-          .planes = read_planes(table, diagnostics),
+  format::check_keys({table, "[[deviation]]"}, {"cases", "planes", "reason", "source"}, diagnostics);
+  return {.cases = read_texts(table, "cases", "write cases = [\"clipping/near*\"]", diagnostics),
+          .planes = read_texts(table, "planes", "write planes = [\"depth\"]", diagnostics),
           .reason = read_text(table, "reason", diagnostics),
           .source = read_text(table, "source", diagnostics)};
 }
 
+bool is_about(const Deviation& deviation, const std::string& case_name) {
+  return std::any_of(deviation.cases.begin(), deviation.cases.end(),
+                     [&](const std::string& pattern) { return format::glob_matches(pattern, case_name); });
+}
+
 bool covers(const Deviation& deviation, const std::string& case_name, const std::string& plane) {
   return std::find(deviation.planes.begin(), deviation.planes.end(), plane) != deviation.planes.end() &&
-         format::glob_matches(deviation.case_pattern, case_name);
+         is_about(deviation, case_name);
 }
 
 // A plane of the entry had a fault in none of the entry's cases, of which at least one was judged.
@@ -55,7 +61,7 @@ bool is_gone(const Deviation& deviation, const std::vector<CaseResult>& cases) {
   return std::any_of(deviation.planes.begin(), deviation.planes.end(), [&](const std::string& plane) {
     bool judged = false;
     for (const CaseResult& result : cases) {
-      if (!format::glob_matches(deviation.case_pattern, result.name)) continue;
+      if (!is_about(deviation, result.name)) continue;
       for (const judge::PlaneVerdict& verdict : result.verdict.planes) {
         if (verdict.name != plane) continue;
         if (verdict.reference_faults() > 0) return false;

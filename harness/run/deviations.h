@@ -3,10 +3,10 @@
 // ci/expected/<driver>-<version>.toml.
 //
 //   [[deviation]]
-//   case = "interpolation/noperspective_clipped*"   # with * and ? as wildcards
+//   cases = ["interpolation/noperspective_clipped*"]   # with * and ? as wildcards
 //   planes = ["straight"]
-//   reason = "..."                                  # what goes wrong and how that was found out
-//   source = "..."                                  # a thread, or "derived"
+//   reason = "..."                                     # what goes wrong and how that was found out
+//   source = "..."                                     # a thread, or "derived"
 #pragma once
 
 #include <string>
@@ -18,7 +18,7 @@
 namespace fillrule::run {
 
 struct Deviation {
-  std::string case_pattern;
+  std::vector<std::string> cases;  // patterns
   std::vector<std::string> planes;
   std::string reason;
   std::string source;

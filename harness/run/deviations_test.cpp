@@ -16,7 +16,7 @@ CaseResult with_reference_fault(const std::string& name, const std::string& plan
 }
 
 Deviation deviation(const std::string& pattern, const std::vector<std::string>& planes) {
-  return {.case_pattern = pattern, .planes = planes, .reason = "r", .source = "s"};
+  return {.cases = {pattern}, .planes = planes, .reason = "r", .source = "s"};
 }
 
 TEST(Deviations, AreFoundByDriverAndVersion) {
@@ -65,19 +65,19 @@ class DeviationsFile : public testing::Test {
 };
 
 TEST_F(DeviationsFile, IsReadWhole) {
-  std::ofstream(path_) << "[[deviation]]\ncase = 'a/*'\nplanes = ['depth', 'uv']\nreason = 'r'\nsource = 's'\n";
+  std::ofstream(path_) << "[[deviation]]\ncases = ['a/*']\nplanes = ['depth', 'uv']\nreason = 'r'\nsource = 's'\n";
   const auto read = read_deviations(path_);
   ASSERT_TRUE(read) << to_string(read.error());
   ASSERT_EQ(read->size(), 1U);
-  EXPECT_EQ((*read)[0].case_pattern, "a/*");
+  EXPECT_EQ((*read)[0].cases.front(), "a/*");
   EXPECT_EQ((*read)[0].planes, (std::vector<std::string>{"depth", "uv"}));
 }
 
 TEST_F(DeviationsFile, ErrorsNameThePlace) {
-  EXPECT_EQ(error_of("[[deviation]]\ncase = 'a'\nplanes = ['p']\nsource = 's'\n"),
-            ":1:1: a deviation needs the text \"reason\"\n  hint: each has case, planes, reason and source");
-  EXPECT_EQ(error_of("[[deviation]]\ncase = 'a'\nreason = 'r'\nsource = 's'\n"),
-            ":1:1: a deviation needs the names of its planes\n  hint: write planes = [\"depth\"]");
+  EXPECT_EQ(error_of("[[deviation]]\ncases = ['a']\nplanes = ['p']\nsource = 's'\n"),
+            ":1:1: a deviation needs the text \"reason\"\n  hint: each has cases, planes, reason and source");
+  EXPECT_EQ(error_of("[[deviation]]\ncases = ['a']\nreason = 'r'\nsource = 's'\n"),
+            ":1:1: a deviation needs the list of its planes\n  hint: write planes = [\"depth\"]");
   EXPECT_EQ(error_of("[[deviaton]]\n").substr(0, 28), ":1:3: unknown key \"deviaton\"");
   EXPECT_FALSE(read_deviations("/nonexistent.toml"));
 }

@@ -11,7 +11,7 @@
 namespace fillrule::stress {
 namespace {
 
-constexpr const char* kFolder = "stress_test_files";
+const std::string kFolder = testing::TempDir() + "fillrule_stress_test";
 
 Result<Planes> draw(const Case& one, uint32_t /*threads*/) {
   return programs::draw_case(one, {});
@@ -108,7 +108,7 @@ TEST(Stress, KnownDeviationsAreCountedAndNotTold) {
       .triangles = 400,
       .families = {Family::kMixedW},
       .folder = kFolder,
-      .known = {{.case_pattern = "stress/*", .planes = {"noperspective"}, .reason = "r", .source = "s"}}};
+      .known = {{.cases = {"stress/*"}, .planes = {"noperspective"}, .reason = "r", .source = "s"}}};
   const StressResult result = run_stress(options, *runner, nullptr);
   EXPECT_TRUE(result.findings.empty());
   EXPECT_EQ(result.total().unexpected_deviation_cases, 0U);

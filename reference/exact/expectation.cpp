@@ -74,6 +74,7 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
                         .triangle = Triangle(positions, draw.state.viewport),
                         .latitude = latitude};
     primitive.front_facing = is_front_facing(draw.state, primitive.triangle.orientation());
+    primitive.culled = culled(draw.state, primitive.front_facing);
     primitive.facing_in_doubt = primitive.triangle.orientation_in_doubt(latitude);
     primitive.thin = primitive.triangle.thinner_than(snap);
     primitives_.push_back(primitive);
@@ -84,7 +85,7 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
 void Expectation::add_primitive(const Case& test_case, uint32_t number) {
   const Primitive& primitive = primitives_[number];
   const RasterState& state = test_case.draws[primitive.draw].state;
-  const bool is_culled = culled(state, primitive.front_facing);
+  const bool is_culled = primitive.culled;
   // Culled whichever way it faces, or certainly facing the culled way.
   if (is_culled && (!primitive.facing_in_doubt || culled(state, !primitive.front_facing))) return;
   const VkRect2D pixels = pixels_of(primitive, state, test_case.target);

@@ -20,6 +20,7 @@ struct Primitive {
   Latitude latitude;
   bool front_facing = false;
   bool facing_in_doubt = false;  // rounding may turn it over
+  bool culled = false;           // if rounding does not turn it over
   bool thin = false;             // its values are undefined ground
 };
 

@@ -13,7 +13,6 @@ constexpr double kUnitRoundoff = 0x1p-24;
 // In the units of README.md, section "Values": a vertex's value is rounded about twice before it is used, a
 // coordinate four times, and what depends on the gradient once where terms cancel, four times where they do not.
 constexpr double kValueRoundings = 2;
-constexpr double kQuotientRoundings = 2;  // what C stands for twice in the tolerance of a smooth varying
 constexpr double kPositionRoundings = 4;
 constexpr double kGradientRoundings = 4;
 // What is lost where a denormal is flushed to zero, which Vulkan permits: as a magnitude that rounds by as much.
@@ -37,7 +36,7 @@ double clamp_depth(double depth) {
 
 double Tolerance::total() const {
   const double sum = snapping + rounding;
-  return std::isfinite(sum) ? sum : kUnbounded;
+  return std::isnan(sum) ? kUnbounded : sum;
 }
 
 WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, const std::array<double, 3>& q,
@@ -187,7 +186,7 @@ Tolerance TriangleValues::smooth_tolerance(const Component& component, double va
     }
   }
   const double rounded = component.numerator.condition(dx, dy) + std::abs(value) * reciprocal_w_.condition(dx, dy);
-  return {.snapping = moved, .rounding = kQuotientRoundings * kUnitRoundoff * rounded / reciprocal};
+  return {.snapping = moved, .rounding = kUnitRoundoff * rounded / reciprocal};
 }
 
 Expected TriangleValues::varying(const Component& component, double x, double y) const {
