@@ -224,9 +224,9 @@ TEST(Explain, ASampleOutsideOfTheTargetIsAnError) {
   ASSERT_FALSE(pixel);
   EXPECT_EQ(pixel.error().what, "pixel 16,2 is not in the target of 16 x 16 pixels");
   EXPECT_EQ(pixel.error().hint, "X is 0 to 15, Y is 0 to 15");
-  const auto sample = explain(one, party, nullptr, {}, {.x = 1, .y = 2, .sample = 1});
-  ASSERT_FALSE(sample);
-  EXPECT_EQ(sample.error().what, "sample 1 is not in a target of 1 samples per pixel");
+  const auto second_sample = explain(one, party, nullptr, {}, {.x = 1, .y = 2, .sample = 1});
+  ASSERT_FALSE(second_sample);
+  EXPECT_EQ(second_sample.error().what, "sample 1 is not in a target of 1 samples per pixel");
 }
 
 }  // namespace

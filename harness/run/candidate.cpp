@@ -34,7 +34,8 @@ struct SharedDevice {
       return tl::unexpected(can.error());
     }
     const Case* const one = &test_case;
-    return std::move(device.draw({&one, 1}).front());
+    std::vector<Result<Planes>> drawn = device.draw({&one, 1});
+    return std::move(drawn.front());
   }
 };
 

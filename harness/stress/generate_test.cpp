@@ -1,5 +1,6 @@
 #include "harness/stress/generate.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -52,7 +53,7 @@ TEST(RandomCase, HasTheTrianglesItSaysAndIsWithinTheFormat) {
       EXPECT_EQ(triangles, triangles_per_case(family)) << one.name;
       const std::string text = format::write(one);
       const format::CaseFile file = format::parse(text, "case.toml", one.name);
-      ASSERT_TRUE(file.errors.empty()) << to_string(file.errors.front()) << '\n' << text;
+      ASSERT_THAT(file.errors, testing::IsEmpty()) << text;
       EXPECT_EQ(format::write(file.cases.front()), text);
     }
   }
