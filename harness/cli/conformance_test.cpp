@@ -2,7 +2,7 @@
 // on the suite. Our renderer is held to every profile, with the validation layers on.
 #include <gtest/gtest.h>
 
-#include <cstdio>
+#include <iostream>
 #include <string>
 
 #include "cases/format/suite.h"
@@ -46,7 +46,7 @@ class ConformanceTest : public testing::Test {
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   const fillrule::format::Suite suite = fillrule::format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
-  for (const fillrule::Error& error : suite.errors) std::fprintf(stderr, "%s\n", to_string(error).c_str());
+  for (const fillrule::Error& error : suite.errors) std::cerr << to_string(error) << '\n';
   if (!suite.errors.empty() || suite.cases.empty()) return 2;
   for (const Case& one : suite.cases) {
     const size_t slash = one.name.find('/');

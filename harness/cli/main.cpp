@@ -1,3 +1,5 @@
+#include <fmt/core.h>
+
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -28,7 +30,7 @@ int main(int argc, char** argv) {
     }
   } catch (const std::exception& error) {
     // Out of memory, mostly: nothing of ours throws.
-    std::fprintf(stderr, "fillrule: %s\n", error.what());
+    fmt::print(stderr, "fillrule: {}\n", error.what());
     return kBadInput;
   }
   return exit_code;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <bit>
 #include <cstring>
 #include <optional>
 
@@ -36,7 +37,7 @@ std::optional<size_t> first_difference(const std::vector<T>& a, const std::vecto
   if (a.size() != b.size()) return 0;
   if (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(T)) == 0) return std::nullopt;
   size_t i = 0;
-  while (std::memcmp(&a[i], &b[i], sizeof(T)) == 0) ++i;
+  while (std::bit_cast<uint32_t>(a[i]) == std::bit_cast<uint32_t>(b[i])) ++i;
   return i;
 }
 

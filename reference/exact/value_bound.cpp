@@ -36,7 +36,8 @@ double clamp_depth(double depth) {
 
 double Tolerance::total() const {
   const double sum = snapping + rounding;
-  return std::isnan(sum) ? kUnbounded : sum;
+  if (std::isnan(sum)) return kUnbounded;
+  return sum;
 }
 
 WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, const std::array<double, 3>& q,
