@@ -35,7 +35,8 @@ struct SharedDevice {
     }
     const Case* const one = &test_case;
     std::vector<Result<Planes>> drawn = device.draw({&one, 1});
-    return std::move(drawn.front());
+    Result<Planes> planes = std::move(drawn.front());
+    return planes;
   }
 };
 
