@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cases/format/indices.h"
 #include "cases/format/repeat.h"
 #include "cases/format/sections.h"
 #include "cases/format/space.h"
@@ -19,6 +20,9 @@ struct VertexSource {
   const toml::array* positions = nullptr;
   std::vector<const toml::array*> varyings;  // as the case's; null where missing or wrong
   const toml::array* indices = nullptr;      // null: none
+  const toml::node* point_sizes = nullptr;   // null: none, or one number, or one for each position
+  const toml::array* clip_distances = nullptr;
+  const toml::array* cull_distances = nullptr;
 };
 
 std::optional<float> rounded_coordinate(const toml::node& node, double value, bool finite_inputs, Values& values) {
@@ -92,21 +96,52 @@ void read_varying_value(const toml::node& node, const Varying& varying, Values& 
   }
 }
 
+void append_distances(const toml::array* array, std::string_view label, uint32_t count, Values& values,
+                      std::vector<float>& out) {
+  if (array == nullptr) return;
+  for (const toml::node& vertex : *array) {
+    const toml::array* const distances = vertex.as_array();
+    if (distances != nullptr && distances->size() != count) {
+      values.diagnostics().add(place_of(vertex), fmt::format("{} has {} distances here and {} at the first position",
+                                                             label, distances->size(), count));
+    }
+    for (size_t i = 0; i < count; ++i) {
+      const toml::node* const node = distances == nullptr ? &vertex : distances->get(i);
+      out.push_back(node == nullptr ? 0.0F : values.float32(*node, label).value_or(0.0F));
+    }
+  }
+}
+
+void append_vertex_attributes(const VertexSource& source, Values& values, Draw& draw) {
+  if (source.point_sizes != nullptr) {
+    const toml::array* const sizes = source.point_sizes->as_array();
+    for (size_t i = 0; i < source.positions->size(); ++i) {
+      const toml::node& node = sizes == nullptr ? *source.point_sizes : *sizes->get(i);
+      const auto size = values.finite_float32(node, "point size");
+      if (size && *size <= 0.0F) {
+        values.diagnostics().add(place_of(node), fmt::format("a point size must be above 0, not {}", *size));
+      }
+      draw.point_sizes.push_back(size.value_or(1.0F));
+    }
+  }
+  append_distances(source.clip_distances, "clip_distances", draw.clip_distance_count, values, draw.clip_distances);
+  append_distances(source.cull_distances, "cull_distances", draw.cull_distance_count, values, draw.cull_distances);
+}
+
 void append_copy(const VertexSource& source, const std::vector<Varying>& varyings, Values& values, Draw& draw) {
   const auto first_vertex = static_cast<uint32_t>(draw.positions.size());
   for (size_t vertex = 0; vertex < source.positions->size(); ++vertex) {
     draw.positions.push_back(
         read_position(*source.positions->get(vertex), source.space, draw.state.viewport, values));
     for (size_t i = 0; i < varyings.size(); ++i) {
-      if (source.varyings[i] == nullptr) continue;
+      if (source.varyings[i] == nullptr) continue;  // a built-in, or wrong
       read_varying_value(*source.varyings[i]->get(vertex), varyings[i], values, draw.varyings);
     }
   }
+  append_vertex_attributes(source, values, draw);
   if (source.indices == nullptr) return;
-  const auto last = static_cast<int64_t>(source.positions->size()) - 1;
   for (const toml::node& node : *source.indices) {
-    const auto index = values.integer(node, "index", {.min = 0, .max = last});
-    draw.indices->push_back(first_vertex + static_cast<uint32_t>(index.value_or(0)));
+    append_index(node, first_vertex, static_cast<int64_t>(source.positions->size()), values, draw);
   }
 }
 
@@ -119,6 +154,7 @@ std::vector<const toml::array*> find_varyings(const toml::table& table, const st
   if (node != nullptr && given == nullptr) return found;
   std::vector<std::string> names;
   for (size_t i = 0; i < varyings.size(); ++i) {
+    if (varyings[i].source != VaryingSource::kVertices) continue;
     const std::string& name = varyings[i].name;
     names.push_back(name);
     const toml::node* const value = given == nullptr ? nullptr : given->get(name);
@@ -156,9 +192,28 @@ VkPrimitiveTopology read_topology(const toml::table& table, Values& values) {
       kUnsupportedTopologies.end()) {
     return values.enumerator(*node, "topology", kTopologies).value_or(kFallback);
   }
-  values.diagnostics().add(place_of(*node), fmt::format("topology \"{}\" is not supported yet", *name),
+  values.diagnostics().add(place_of(*node), fmt::format("topology \"{}\" is not supported", *name),
                            fmt::format("supported: {}", fmt::join(enum_names(kTopologies), ", ")));
   return kFallback;
+}
+
+void wrong_number(const toml::node& node, std::string_view label, const toml::array& positions,
+                  Diagnostics& diagnostics) {
+  diagnostics.add(place_of(node),
+                  fmt::format("{} has {} values for {} positions", label, node.as_array()->size(), positions.size()));
+}
+
+// Null where there are none, or wrong ones.
+const toml::array* find_distances(const toml::table& table, std::string_view key, const toml::array& positions,
+                                  Diagnostics& diagnostics) {
+  const toml::node* const node = table.get(key);
+  if (node == nullptr) return nullptr;
+  const toml::array* const array =
+      as_array(*node, key, "an array with one distance, or an array of them, for each position", diagnostics);
+  if (array == nullptr) return nullptr;
+  if (array->size() == positions.size()) return array;
+  wrong_number(*node, key, positions, diagnostics);
+  return nullptr;
 }
 
 // Nothing if the draw has no positions to go on with.
@@ -187,12 +242,42 @@ std::optional<VertexSource> find_vertices(const toml::table& table, const std::v
     return std::nullopt;
   }
   source.varyings = find_varyings(table, varyings, source.positions->size(), values);
+  source.point_sizes = table.get("point_sizes");
+  if (source.point_sizes != nullptr && source.point_sizes->is_array() &&
+      source.point_sizes->as_array()->size() != source.positions->size()) {
+    wrong_number(*source.point_sizes, "point_sizes", *source.positions, diagnostics);
+    source.point_sizes = nullptr;
+  }
+  source.clip_distances = find_distances(table, "clip_distances", *source.positions, diagnostics);
+  source.cull_distances = find_distances(table, "cull_distances", *source.positions, diagnostics);
   return source;
+}
+
+// As many as the first vertex has.
+uint32_t distance_count(const toml::array* array) {
+  if (array == nullptr) return 0;
+  const toml::array* const first = array->get(0)->as_array();
+  return first == nullptr ? 1 : static_cast<uint32_t>(first->size());
+}
+
+void read_distance_counts(const toml::table& table, const VertexSource& source, Diagnostics& diagnostics,
+                          Draw& draw) {
+  draw.clip_distance_count = distance_count(source.clip_distances);
+  draw.cull_distance_count = distance_count(source.cull_distances);
+  if (draw.clip_distance_count + draw.cull_distance_count <= kMaxClipAndCullDistances) return;
+  diagnostics.add(place_of(table),
+                  fmt::format("{} clip distances and {} cull distances are too many", draw.clip_distance_count,
+                              draw.cull_distance_count),
+                  fmt::format("up to {} together", kMaxClipAndCullDistances));
+  draw.clip_distance_count = 0;
+  draw.cull_distance_count = 0;
 }
 
 Draw read_draw(const toml::table& table, const Target& target, const std::vector<Varying>& varyings,
                const RasterState& state, Values& values) {
-  check_keys({table, "[[draw]]"}, {"topology", "space", "positions", "indices", "repeat", "varyings", "state"},
+  check_keys({table, "[[draw]]"},
+             {"topology", "space", "positions", "indices", "index_type", "vertex_offset", "primitive_restart",
+              "point_sizes", "clip_distances", "cull_distances", "repeat", "varyings", "state"},
              values.diagnostics());
   Draw draw{.topology = read_topology(table, values), .state = state};
   if (const toml::node* const node = table.get("state")) {
@@ -202,6 +287,8 @@ Draw read_draw(const toml::table& table, const Target& target, const std::vector
   const auto source = find_vertices(table, varyings, values);
   if (!source) return draw;
   if (source->indices != nullptr) draw.indices.emplace();
+  read_index_state(table, values, draw);
+  read_distance_counts(table, *source, values.diagnostics(), draw);
   const size_t size = source->positions->size() + (source->indices == nullptr ? 0 : source->indices->size());
   for_each_copy(table.get("repeat"), kMaxVertices / size, values,
                 [&] { append_copy(*source, varyings, values, draw); });

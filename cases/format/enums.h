@@ -47,17 +47,17 @@ inline constexpr std::array<EnumName<VkCompareOp>, 8> kCompareOps{{
     {"always", VK_COMPARE_OP_ALWAYS},
 }};
 
-inline constexpr std::array<EnumName<VkPrimitiveTopology>, 3> kTopologies{{
+inline constexpr std::array<EnumName<VkPrimitiveTopology>, 6> kTopologies{{
+    {"point_list", VK_PRIMITIVE_TOPOLOGY_POINT_LIST},
+    {"line_list", VK_PRIMITIVE_TOPOLOGY_LINE_LIST},
+    {"line_strip", VK_PRIMITIVE_TOPOLOGY_LINE_STRIP},
     {"triangle_list", VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST},
     {"triangle_strip", VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP},
     {"triangle_fan", VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN},
 }};
 
-// What Vulkan knows and the format does not support yet, so that the error can tell this from a misspelling.
-inline constexpr std::array<std::string_view, 8> kUnsupportedTopologies{
-    "point_list",
-    "line_list",
-    "line_strip",
+// What Vulkan knows and the format does not, so that the error can tell this from a misspelling.
+inline constexpr std::array<std::string_view, 5> kUnsupportedTopologies{
     "line_list_with_adjacency",
     "line_strip_with_adjacency",
     "triangle_list_with_adjacency",
@@ -65,16 +65,58 @@ inline constexpr std::array<std::string_view, 8> kUnsupportedTopologies{
     "patch_list",
 };
 
-inline constexpr std::array<EnumName<VkFormat>, 1> kDepthFormats{{{"d32_sfloat", VK_FORMAT_D32_SFLOAT}}};
+inline constexpr std::array<EnumName<VkIndexType>, 3> kIndexTypes{{
+    {"uint8", VK_INDEX_TYPE_UINT8_EXT},
+    {"uint16", VK_INDEX_TYPE_UINT16},
+    {"uint32", VK_INDEX_TYPE_UINT32},
+}};
 
-inline constexpr std::array<std::string_view, 6> kUnsupportedDepthFormats{
-    "d16_unorm", "x8_d24_unorm_pack32", "d16_unorm_s8_uint", "d24_unorm_s8_uint", "d32_sfloat_s8_uint", "s8_uint",
+inline constexpr std::array<EnumName<VkPolygonMode>, 3> kPolygonModes{{
+    {"fill", VK_POLYGON_MODE_FILL},
+    {"line", VK_POLYGON_MODE_LINE},
+    {"point", VK_POLYGON_MODE_POINT},
+}};
+
+inline constexpr std::array<EnumName<VkLineRasterizationModeEXT>, 2> kLineModes{{
+    {"rectangular", VK_LINE_RASTERIZATION_MODE_RECTANGULAR_EXT},
+    {"bresenham", VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT},
+}};
+
+inline constexpr std::array<EnumName<VkProvokingVertexModeEXT>, 2> kProvokingVertices{{
+    {"first", VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT},
+    {"last", VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT},
+}};
+
+inline constexpr std::array<EnumName<VkFormat>, 4> kDepthFormats{{
+    {"none", VK_FORMAT_UNDEFINED},
+    {"d16_unorm", VK_FORMAT_D16_UNORM},
+    {"x8_d24_unorm_pack32", VK_FORMAT_X8_D24_UNORM_PACK32},
+    {"d32_sfloat", VK_FORMAT_D32_SFLOAT},
+}};
+
+inline constexpr std::array<std::string_view, 4> kUnsupportedDepthFormats{
+    "d16_unorm_s8_uint",
+    "d24_unorm_s8_uint",
+    "d32_sfloat_s8_uint",
+    "s8_uint",
 };
 
 inline constexpr std::array<EnumName<Interpolation>, 3> kInterpolations{{
     {"smooth", Interpolation::kSmooth},
     {"noperspective", Interpolation::kNoperspective},
     {"flat", Interpolation::kFlat},
+}};
+
+inline constexpr std::array<EnumName<Sampling>, 3> kSamplings{{
+    {"center", Sampling::kCenter},
+    {"centroid", Sampling::kCentroid},
+    {"sample", Sampling::kSample},
+}};
+
+inline constexpr std::array<EnumName<VaryingSource>, 3> kVaryingSources{{
+    {"vertices", VaryingSource::kVertices},
+    {"frag_coord", VaryingSource::kFragCoord},
+    {"point_coord", VaryingSource::kPointCoord},
 }};
 
 inline constexpr std::array<EnumName<PositionSpace>, 3> kPositionSpaces{{

@@ -90,18 +90,20 @@ TEST(BadTarget, UnknownKey) {
 }
 
 TEST(BadTarget, DepthFormat) {
-  EXPECT_EQ(errors_with_draw("target.depth_format = 'd16_unorm'\n"),
-            "a.toml:4:23: depth_format \"d16_unorm\" is not supported yet\n  hint: supported: d32_sfloat\n");
+  EXPECT_EQ(errors_with_draw("target.depth_format = 's8_uint'\n"),
+            "a.toml:4:23: depth_format \"s8_uint\" is not supported\n"
+            "  hint: supported: none, d16_unorm, x8_d24_unorm_pack32, d32_sfloat\n");
   EXPECT_EQ(errors_with_draw("target.depth_format = 'd32'\n"),
-            "a.toml:4:23: unknown depth_format \"d32\"\n  hint: supported: d32_sfloat\n");
+            "a.toml:4:23: unknown depth_format \"d32\"\n"
+            "  hint: supported: none, d16_unorm, x8_d24_unorm_pack32, d32_sfloat\n");
   EXPECT_EQ(errors_with_draw("target.depth_format = true\n"),
             "a.toml:4:23: depth_format must be a string, not a boolean\n");
 }
 
 TEST(BadTarget, Samples) {
-  EXPECT_EQ(errors_with_draw("target.samples = 4\n"),
-            "a.toml:4:18: samples = 4 is not supported yet\n  hint: supported: 1\n");
-  EXPECT_EQ(errors_with_draw("target.samples = 0\n"), "a.toml:4:18: samples must be 1 to 64, not 0\n");
+  EXPECT_EQ(errors_with_draw("target.samples = 3\n"),
+            "a.toml:4:18: samples must be a power of two, not 3\n  hint: supported: 1, 2, 4, 8, 16\n");
+  EXPECT_EQ(errors_with_draw("target.samples = 0\n"), "a.toml:4:18: samples must be 1 to 16, not 0\n");
 }
 
 TEST(BadTarget, ClearDepth) {
@@ -211,12 +213,12 @@ TEST(BadDraw, Keys) {
 }
 
 TEST(BadDraw, Topology) {
-  EXPECT_EQ(errors_of(kDraw + "topology = 'line_list'\n"),
-            "a.toml:6:12: topology \"line_list\" is not supported yet\n"
-            "  hint: supported: triangle_list, triangle_strip, triangle_fan\n");
+  EXPECT_EQ(errors_of(kDraw + "topology = 'patch_list'\n"),
+            "a.toml:6:12: topology \"patch_list\" is not supported\n"
+            "  hint: supported: point_list, line_list, line_strip, triangle_list, triangle_strip, triangle_fan\n");
   EXPECT_EQ(errors_of(kDraw + "topology = 'triangles'\n"),
             "a.toml:6:12: unknown topology \"triangles\"\n"
-            "  hint: known: triangle_list, triangle_strip, triangle_fan\n");
+            "  hint: known: point_list, line_list, line_strip, triangle_list, triangle_strip, triangle_fan\n");
 }
 
 TEST(BadDraw, Positions) {
@@ -237,7 +239,7 @@ TEST(BadDraw, Positions) {
 
 TEST(BadDraw, Indices) {
   EXPECT_EQ(errors_of(kDraw + "indices = [0, 1]\n"), "a.toml:6:15: index must be 0 to 0, not 1\n");
-  EXPECT_EQ(errors_of(kDraw + "indices = [-1]\n"), "a.toml:6:12: index must be 0 to 0, not -1\n");
+  EXPECT_EQ(errors_of(kDraw + "indices = [-1]\n"), "a.toml:6:12: index must be 0 to 4294967295, not -1\n");
   EXPECT_EQ(errors_of(kDraw + "indices = []\n"),
             "a.toml:6:11: indices is empty\n  hint: leave the key out to draw the vertices in their order\n");
   EXPECT_EQ(errors_of(kDraw + "indices = 'all'\n"),
@@ -398,9 +400,13 @@ TEST(BadFile, ManyErrorsAreAllReportedInTheOrderOfTheFile) {
             "a.toml:5:19: cull_mode must be a string, not an integer\n"
             "a.toml:6:1: draw has no positions\n  hint: positions = [[x, y, z, w], ...]\n"
             "a.toml:7:1: unknown key \"foo\" in [[draw]]\n"
-            "  hint: known keys: topology, space, positions, indices, repeat, varyings, state\n"
+            "  hint: known keys: topology, space, positions, indices, index_type, vertex_offset, primitive_restart, "
+            "point_sizes, "
+            "clip_distances, cull_distances, repeat, varyings, state\n"
             "a.toml:10:1: unknown key \"bar\" in [[draw]]\n"
-            "  hint: known keys: topology, space, positions, indices, repeat, varyings, state\n");
+            "  hint: known keys: topology, space, positions, indices, index_type, vertex_offset, primitive_restart, "
+            "point_sizes, "
+            "clip_distances, cull_distances, repeat, varyings, state\n");
 }
 
 }  // namespace

@@ -89,6 +89,68 @@ VkRect2D read_scissor(const toml::node& node, const Target& target, Values& valu
   return scissor;
 }
 
+DepthBias read_depth_bias(const toml::node& node, Values& values) {
+  DepthBias bias;
+  const toml::table* const table = as_table(node, "depth_bias", values.diagnostics());
+  if (table == nullptr) return bias;
+  check_keys({*table, "depth_bias"}, {"constant", "slope", "clamp"}, values.diagnostics());
+  const auto read = [&](std::string_view key, float& field) {
+    const toml::node* const number = table->get(key);
+    if (number == nullptr) return;
+    field = values.finite_float32(*number, fmt::format("depth_bias {}", key)).value_or(field);
+  };
+  read("constant", bias.constant_factor);
+  read("slope", bias.slope_factor);
+  read("clamp", bias.clamp);
+  return bias;
+}
+
+DepthBounds read_depth_bounds(const toml::node& node, Values& values) {
+  DepthBounds bounds;
+  const toml::table* const table = as_table(node, "depth_bounds", values.diagnostics());
+  if (table == nullptr) return bounds;
+  check_keys({*table, "depth_bounds"}, {"min", "max"}, values.diagnostics());
+  const auto read = [&](std::string_view key, float& field) {
+    const toml::node* const number = table->get(key);
+    if (number == nullptr) return;
+    const auto bound = values.finite_float32(*number, fmt::format("depth_bounds {}", key));
+    if (bound && (*bound < 0.0F || *bound > 1.0F)) {
+      values.diagnostics().add(place_of(*number), fmt::format("depth_bounds {} must be 0 to 1, not {}", key, *bound));
+    } else {
+      field = bound.value_or(field);
+    }
+  };
+  read("min", bounds.min);
+  read("max", bounds.max);
+  if (bounds.min > bounds.max) {
+    values.diagnostics().add(place_of(node),
+                             fmt::format("depth_bounds: min {} is above max {}", bounds.min, bounds.max));
+  }
+  return bounds;
+}
+
+void read_line_width(const toml::node& node, Values& values, float& width) {
+  const auto number = values.finite_float32(node, "line_width");
+  if (!number) return;
+  if (*number <= 0.0F) {
+    values.diagnostics().add(place_of(node), fmt::format("line_width must be above 0, not {}", *number));
+    return;
+  }
+  width = *number;
+}
+
+void read_depth_state(const toml::table& table, Values& values, RasterState& state) {
+  if (const toml::node* const node = table.get("depth_bias")) state.depth_bias = read_depth_bias(*node, values);
+  if (const toml::node* const node = table.get("depth_bounds")) state.depth_bounds = read_depth_bounds(*node, values);
+  if (const toml::node* const node = table.get("depth_clamp")) {
+    state.depth_clamp = values.boolean(*node, "depth_clamp").value_or(state.depth_clamp);
+    state.depth_clip = !state.depth_clamp;
+  }
+  if (const toml::node* const node = table.get("depth_clip")) {
+    state.depth_clip = values.boolean(*node, "depth_clip").value_or(state.depth_clip);
+  }
+}
+
 }  // namespace
 
 RasterState default_state(const Target& target) {
@@ -99,7 +161,9 @@ RasterState default_state(const Target& target) {
 
 void read_state(const Section& section, const Target& target, Values& values, RasterState& state) {
   check_keys(section,
-             {"cull_mode", "front_face", "depth_test", "depth_write", "depth_compare", "viewport", "scissor"},
+             {"cull_mode", "front_face", "depth_test", "depth_write", "depth_compare", "depth_bias", "depth_bounds",
+              "depth_clamp", "depth_clip", "negative_one_to_one", "polygon_mode", "line_mode", "line_width",
+              "provoking_vertex", "sample_mask", "viewport", "scissor"},
              values.diagnostics());
   const auto read = [&](std::string_view key, auto read_node) {
     if (const toml::node* const node = section.table.get(key)) read_node(*node, key);
@@ -117,6 +181,16 @@ void read_state(const Section& section, const Target& target, Values& values, Ra
   read("depth_test", read_boolean(state.depth_test));
   read("depth_write", read_boolean(state.depth_write));
   read("depth_compare", read_enumerator(kCompareOps, state.depth_compare));
+  read_depth_state(section.table, values, state);
+  read("negative_one_to_one", read_boolean(state.negative_one_to_one));
+  read("polygon_mode", read_enumerator(kPolygonModes, state.polygon_mode));
+  read("line_mode", read_enumerator(kLineModes, state.line_mode));
+  read("line_width", [&](const toml::node& node, auto) { read_line_width(node, values, state.line_width); });
+  read("provoking_vertex", read_enumerator(kProvokingVertices, state.provoking_vertex));
+  read("sample_mask", [&](const toml::node& node, std::string_view key) {
+    const auto mask = values.integer(node, key, {.min = 0, .max = std::numeric_limits<uint32_t>::max()});
+    state.sample_mask = static_cast<uint32_t>(mask.value_or(state.sample_mask));
+  });
   read("viewport", [&](const toml::node& node, auto) { state.viewport = read_viewport(node, target, values); });
   read("scissor", [&](const toml::node& node, auto) { state.scissor = read_scissor(node, target, values); });
 }

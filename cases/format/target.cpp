@@ -33,8 +33,20 @@ void read_depth_format(const toml::node& node, Values& values, Target& target) {
                      kUnsupportedDepthFormats.end();
   values.diagnostics().add(place_of(node),
                            fmt::format("{} \"{}\"{}", known ? "depth_format" : "unknown depth_format", *name,
-                                       known ? " is not supported yet" : ""),
+                                       known ? " is not supported" : ""),
                            fmt::format("supported: {}", fmt::join(enum_names(kDepthFormats), ", ")));
+}
+
+// VkSampleCountFlagBits are the numbers themselves.
+void read_samples(const toml::node& node, Values& values, Target& target) {
+  const auto count = values.integer(node, "samples", {.min = 1, .max = kMaxSamples});
+  if (!count) return;
+  if ((*count & (*count - 1)) != 0) {
+    values.diagnostics().add(place_of(node), fmt::format("samples must be a power of two, not {}", *count),
+                             fmt::format("supported: 1, 2, 4, 8, {}", kMaxSamples));
+    return;
+  }
+  target.samples = static_cast<VkSampleCountFlagBits>(*count);
 }
 
 void read_clear_depth(const toml::node& node, Values& values, Target& target) {
@@ -59,13 +71,7 @@ Target read_target(const toml::table& root, Values& values) {
   if (const toml::node* const size = table->get("size")) read_size(*size, values, target);
   if (const toml::node* const format = table->get("depth_format")) read_depth_format(*format, values, target);
   if (const toml::node* const clear = table->get("clear_depth")) read_clear_depth(*clear, values, target);
-  if (const toml::node* const samples = table->get("samples")) {
-    const auto count = values.integer(*samples, "samples", {.min = 1, .max = 64});
-    if (count && *count != 1) {
-      values.diagnostics().add(place_of(*samples), fmt::format("samples = {} is not supported yet", *count),
-                               "supported: 1");
-    }
-  }
+  if (const toml::node* const samples = table->get("samples")) read_samples(*samples, values, target);
   return target;
 }
 

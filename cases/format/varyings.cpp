@@ -58,7 +58,27 @@ uint32_t components_of_first_value(const toml::table& root, const Entry& entry, 
   return static_cast<uint32_t>(count);
 }
 
-// Either "smooth", or { components = 3, interpolation = "smooth" } with both keys optional.
+// gl_FragCoord and gl_PointCoord have no values in the file and nothing to choose.
+void read_built_in(const toml::table& table, const Entry& entry, Values& values, Varying& varying) {
+  for (const std::string_view key : {"components", "interpolation", "sampling"}) {
+    const toml::node* const node = table.get(key);
+    if (node == nullptr) continue;
+    values.diagnostics().add(place_of(*node),
+                             fmt::format("varying \"{}\" is a built-in and has no {}", entry.name(), key),
+                             "leave the key out");
+  }
+  varying.components = varying.source == VaryingSource::kFragCoord ? 4 : 2;
+}
+
+void read_sampling(const toml::node& node, Values& values, Varying& varying) {
+  varying.sampling = values.enumerator(node, "sampling", kSamplings).value_or(varying.sampling);
+  if (varying.interpolation == Interpolation::kFlat && varying.sampling != Sampling::kCenter) {
+    values.diagnostics().add(place_of(node), "a flat varying is evaluated nowhere: it has no sampling",
+                             "leave the key out");
+  }
+}
+
+// Either "smooth", or { components = 3, interpolation = "smooth" } with all keys optional.
 Varying read_varying(const toml::table& root, const Entry& entry, Values& values) {
   Varying varying{.name = entry.name()};
   const toml::table* const table = entry.value->as_table();
@@ -68,8 +88,15 @@ Varying read_varying(const toml::table& root, const Entry& entry, Values& values
     return varying;
   }
   if (table != nullptr) {
-    check_keys({*table, fmt::format("varying \"{}\"", varying.name)}, {"components", "interpolation"},
-               values.diagnostics());
+    check_keys({*table, fmt::format("varying \"{}\"", varying.name)},
+               {"components", "interpolation", "sampling", "source"}, values.diagnostics());
+    if (const toml::node* const source = table->get("source")) {
+      varying.source = values.enumerator(*source, "source", kVaryingSources).value_or(varying.source);
+    }
+    if (varying.source != VaryingSource::kVertices) {
+      read_built_in(*table, entry, values, varying);
+      return varying;
+    }
   }
   const toml::node* const interpolation = table == nullptr ? entry.value : table->get("interpolation");
   const toml::node* const components = table == nullptr ? nullptr : table->get("components");
@@ -77,6 +104,8 @@ Varying read_varying(const toml::table& root, const Entry& entry, Values& values
     varying.interpolation =
         values.enumerator(*interpolation, "interpolation", kInterpolations).value_or(varying.interpolation);
   }
+  const toml::node* const sampling = table == nullptr ? nullptr : table->get("sampling");
+  if (sampling != nullptr) read_sampling(*sampling, values, varying);
   if (components == nullptr) {
     varying.components = components_of_first_value(root, entry, values);
   } else if (const auto count = values.integer(*components, "components", {.min = 1, .max = kMaxVaryingComponents})) {

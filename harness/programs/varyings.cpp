@@ -54,12 +54,18 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
   }
 }
 
+FeatureSet renderer_features() {
+  return {};
+}
+
 Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& options) {
   if (const Result<void> checked =
           check_target(drawn_case.target).and_then([&] { return check_varyings(drawn_case); });
       !checked) {
     return tl::unexpected(checked.error());
   }
+  const FeatureSet missing = features_of(drawn_case).without(renderer_features());
+  if (!missing.empty()) return failure(fmt::format("the renderer lacks {}", to_string(missing)));
   const Target& target = drawn_case.target;
   Planes planes =
       Planes::cleared(target.width, target.height, 1, component_count(drawn_case.varyings), target.clear_depth);

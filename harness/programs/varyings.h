@@ -7,6 +7,7 @@
 #include <span>
 
 #include "cases/model/case.h"
+#include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
 #include "renderer/pipeline.h"
@@ -75,6 +76,9 @@ class VaryingsProgram {
   std::array<Component, size_t{kMaxVaryings} * kMaxVaryingComponents> components_;
   uint32_t component_count_ = 0;
 };
+
+// What the renderer can draw with this program.
+FeatureSet renderer_features();
 
 // Draws a whole case with the renderer. An error names what the renderer cannot draw, or what is inconsistent in the
 // case.

@@ -88,6 +88,8 @@ Result<void> check_vertices(const Draw& draw, uint32_t components) {
 }  // namespace
 
 Result<void> check_case(const DeviceInfo& device, const Case& drawn) {
+  const FeatureSet missing = features_of(drawn).without(device.features);
+  if (!missing.empty()) return failure(fmt::format("{} lacks {}", device.driver, to_string(missing)));
   if (auto checked = check_target(device, drawn.target); !checked) return checked;
   if (drawn.varyings.size() > kMaxVaryings) {
     return failure(fmt::format("varyings: {} are more than {}", drawn.varyings.size(), kMaxVaryings));

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "cases/model/case.h"
+#include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
 
@@ -31,6 +32,7 @@ struct DeviceInfo {
   uint32_t max_target_size = 0;  // pixels, of width and of height
   std::array<uint32_t, 2> max_viewport_size{};  // pixels
   std::array<float, 2> viewport_bounds{};       // framebuffer coordinates
+  FeatureSet features;                          // of cases that it can draw
   bool has_primitive_id = false;                // gl_PrimitiveID in a fragment shader (feature geometryShader)
 };
 

@@ -1,0 +1,12 @@
+// What the oracle can judge.
+#pragma once
+
+#include "cases/model/features.h"
+
+namespace fillrule::exact {
+
+inline FeatureSet oracle_features() {
+  return {};
+}
+
+}  // namespace fillrule::exact
