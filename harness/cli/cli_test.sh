@@ -45,6 +45,7 @@ expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candi
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
 expect 0 'lavapipe' "$fillrule" devices
+expect 0 'gl_PointCoord' "$fillrule" features
 expect 0 'Exit codes' "$fillrule" run --help
 cp own/good.toml bare.toml
 expect 0 'PASSED  bare' "$fillrule" run bare.toml -v

@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
     add_list(app, exit_code);
     add_show(app, exit_code);
     add_devices(app, exit_code);
+    add_features(app, exit_code);
     add_stress(app, exit_code);
     add_explain(app, exit_code);
     add_exhaust(app, exit_code);

@@ -18,7 +18,16 @@ Candidate make_renderer(const CandidateOptions& options) {
     if (threads != 0) chosen.threads = threads;
     return programs::draw_case(test_case, chosen);
   };
-  return {.name = "renderer", .subpixel_bits = options.subpixel_bits, .draw = draw};
+  const auto check = [](const Case& test_case) -> Result<void> {
+    const FeatureSet missing = features_of(test_case).without(programs::renderer_features());
+    if (!missing.empty()) return failure("the renderer lacks " + to_string(missing));
+    return {};
+  };
+  return {.name = "renderer",
+          .subpixel_bits = options.subpixel_bits,
+          .features = programs::renderer_features(),
+          .check = check,
+          .draw = draw};
 }
 
 // A device is for one thread at a time.
@@ -28,11 +37,13 @@ struct SharedDevice {
 
   explicit SharedDevice(vulkan::Reference the_device) : device(std::move(the_device)) {}
 
+  [[nodiscard]] Result<void> check(const Case& test_case) const {
+    return vulkan::check_case(device.device(), test_case);
+  }
+
   Result<Planes> draw(const Case& test_case) {
+    if (const Result<void> can = check(test_case); !can) return tl::unexpected(can.error());
     const std::lock_guard lock(mutex);
-    if (const Result<void> can = vulkan::check_case(device.device(), test_case); !can) {
-      return tl::unexpected(can.error());
-    }
     const Case* const one = &test_case;
     std::vector<Result<Planes>> drawn = device.draw({&one, 1});
     Result<Planes> planes = std::move(drawn.front());
@@ -51,6 +62,8 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
   const auto shared = std::make_shared<SharedDevice>(std::move(*device));
   return Candidate{.name = name,
                    .subpixel_bits = shared->device.device().subpixel_bits,
+                   .features = shared->device.device().features,
+                   .check = [shared](const Case& test_case) { return shared->check(test_case); },
                    .draw = [shared](const Case& test_case, uint32_t) { return shared->draw(test_case); }};
 }
 

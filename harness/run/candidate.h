@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/model/case.h"
+#include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
 
@@ -15,6 +16,10 @@ namespace fillrule::run {
 struct Candidate {
   std::string name;
   uint32_t subpixel_bits = 8;
+  // What it can draw of the features that a case may need.
+  FeatureSet features;
+  // Why it cannot draw a case, if it cannot: what it lacks, or a limit.
+  std::function<Result<void>(const Case&)> check;
   // Draws with so many threads, 0 for the number in the options. May be called by several threads at once.
   std::function<Result<Planes>(const Case&, uint32_t threads)> draw;
 };

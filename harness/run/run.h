@@ -13,8 +13,10 @@ namespace fillrule::run {
 
 enum class Status : uint8_t {
   kPassed,
-  kFailed,   // the candidate is at fault, or fails a check, or could not draw; or the reference broke down
-  kSkipped,  // the reference cannot draw the case; `message` tells why
+  kFailed,  // the candidate is at fault, or fails a check, or could not draw; or the reference broke down
+  // A party cannot draw or judge the case; `message` tells why. Where it is the reference, the candidate was held
+  // against the oracle alone, and found without fault.
+  kSkipped,
 };
 
 struct CaseResult {
