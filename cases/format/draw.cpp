@@ -1,12 +1,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
+#include "cases/format/attributes.h"
 #include "cases/format/indices.h"
+#include "cases/format/position.h"
 #include "cases/format/repeat.h"
 #include "cases/format/sections.h"
-#include "cases/format/space.h"
 
 namespace fillrule::format {
 namespace {
@@ -20,66 +20,8 @@ struct VertexSource {
   const toml::array* positions = nullptr;
   std::vector<const toml::array*> varyings;  // as the case's; null where missing or wrong
   const toml::array* indices = nullptr;      // null: none
-  const toml::node* point_sizes = nullptr;   // null: none, or one number, or one for each position
-  const toml::array* clip_distances = nullptr;
-  const toml::array* cull_distances = nullptr;
+  VertexAttributes attributes;
 };
-
-std::optional<float> rounded_coordinate(const toml::node& node, double value, bool finite_inputs, Values& values) {
-  const auto rounded = static_cast<float>(value);
-  if (finite_inputs && !std::isfinite(rounded)) {
-    values.diagnostics().add(place_of(node), fmt::format("clip-space coordinate {} is beyond float32", value),
-                             "write inf if infinity is meant");
-    return std::nullopt;
-  }
-  return rounded;
-}
-
-ClipPosition read_clip_position(const toml::array& coordinates, Values& values) {
-  ClipPosition clip{};
-  for (size_t i = 0; i < clip.size(); ++i) {
-    clip[i] = values.float32(*coordinates.get(i), "coordinate").value_or(0.0F);
-  }
-  return clip;
-}
-
-ClipPosition read_other_position(const toml::array& coordinates, PositionSpace space, const VkViewport& viewport,
-                                 Values& values) {
-  Position position{0.0, 0.0, 0.5, 1.0};
-  bool finite_inputs = true;
-  for (size_t i = 0; i < coordinates.size(); ++i) {
-    const auto number = values.number(*coordinates.get(i), "coordinate");
-    if (!number) return {};
-    position[i] = number->value;
-    finite_inputs = finite_inputs && std::isfinite(number->value);
-  }
-  Position pos_clip = clip_from(space, position, viewport);
-  // Without a depth (and so with w = 1) the position lies in the middle of NDC, whatever the viewport's depth range.
-  if (coordinates.size() == 2) pos_clip[2] = 0.5;
-  ClipPosition rounded{};
-  for (size_t i = 0; i < rounded.size(); ++i) {
-    const auto value = rounded_coordinate(coordinates, pos_clip[i], finite_inputs, values);
-    if (!value) return {};
-    rounded[i] = *value;
-  }
-  return rounded;
-}
-
-ClipPosition read_position(const toml::node& node, PositionSpace space, const VkViewport& viewport, Values& values) {
-  const bool clip = space == PositionSpace::kClip;
-  const std::string_view expected = clip ? "[x, y, z, w]" : "[x, y], [x, y, z] or [x, y, z, w]";
-  const toml::array* const coordinates = as_array(node, "position", expected, values.diagnostics());
-  if (coordinates == nullptr) return {};
-  const size_t count = coordinates->size();
-  if (count > 4 || count < (clip ? 4U : 2U)) {
-    values.diagnostics().add(place_of(node),
-                             fmt::format("position in {} space must be {}, not {} numbers",
-                                         enum_name(kPositionSpaces, space), expected, count),
-                             clip ? R"(other spaces: space = "ndc" or "framebuffer")" : "");
-    return {};
-  }
-  return clip ? read_clip_position(*coordinates, values) : read_other_position(*coordinates, space, viewport, values);
-}
 
 void read_varying_value(const toml::node& node, const Varying& varying, Values& values, std::vector<float>& out) {
   const toml::array* const components = node.as_array();
@@ -96,52 +38,39 @@ void read_varying_value(const toml::node& node, const Varying& varying, Values& 
   }
 }
 
-void append_distances(const toml::array* array, std::string_view label, uint32_t count, Values& values,
-                      std::vector<float>& out) {
-  if (array == nullptr) return;
-  for (const toml::node& vertex : *array) {
-    const toml::array* const distances = vertex.as_array();
-    if (distances != nullptr && distances->size() != count) {
-      values.diagnostics().add(place_of(vertex), fmt::format("{} has {} distances here and {} at the first position",
-                                                             label, distances->size(), count));
-    }
-    for (size_t i = 0; i < count; ++i) {
-      const toml::node* const node = distances == nullptr ? &vertex : distances->get(i);
-      out.push_back(node == nullptr ? 0.0F : values.float32(*node, label).value_or(0.0F));
-    }
-  }
-}
-
-void append_vertex_attributes(const VertexSource& source, Values& values, Draw& draw) {
-  if (source.point_sizes != nullptr) {
-    const toml::array* const sizes = source.point_sizes->as_array();
-    for (size_t i = 0; i < source.positions->size(); ++i) {
-      const toml::node& node = sizes == nullptr ? *source.point_sizes : *sizes->get(i);
-      const auto size = values.finite_float32(node, "point size");
-      if (size && *size <= 0.0F) {
-        values.diagnostics().add(place_of(node), fmt::format("a point size must be above 0, not {}", *size));
-      }
-      draw.point_sizes.push_back(size.value_or(1.0F));
-    }
-  }
-  append_distances(source.clip_distances, "clip_distances", draw.clip_distance_count, values, draw.clip_distances);
-  append_distances(source.cull_distances, "cull_distances", draw.cull_distance_count, values, draw.cull_distances);
-}
-
 void append_copy(const VertexSource& source, const std::vector<Varying>& varyings, Values& values, Draw& draw) {
   const auto first_vertex = static_cast<uint32_t>(draw.positions.size());
   for (size_t vertex = 0; vertex < source.positions->size(); ++vertex) {
-    draw.positions.push_back(
-        read_position(*source.positions->get(vertex), source.space, draw.state.viewport, values));
+    draw.positions.push_back(read_position(*source.positions->get(vertex), source.space, draw.state, values));
     for (size_t i = 0; i < varyings.size(); ++i) {
       if (source.varyings[i] == nullptr) continue;  // a built-in, or wrong
       read_varying_value(*source.varyings[i]->get(vertex), varyings[i], values, draw.varyings);
     }
   }
-  append_vertex_attributes(source, values, draw);
+  append_attributes(source.attributes, source.positions->size(), values, draw);
   if (source.indices == nullptr) return;
   for (const toml::node& node : *source.indices) {
     append_index(node, first_vertex, static_cast<int64_t>(source.positions->size()), values, draw);
+  }
+}
+
+void refuse_other_varyings(const toml::table& given, const std::vector<Varying>& varyings, Diagnostics& diagnostics) {
+  std::vector<std::string> names;
+  for (const Varying& varying : varyings) {
+    if (varying.source == VaryingSource::kVertices) names.push_back(varying.name);
+  }
+  for (const auto& [key, value] : given) {
+    const std::string_view name = key.str();
+    if (std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const bool built_in =
+        std::any_of(varyings.begin(), varyings.end(), [&](const Varying& varying) { return varying.name == name; });
+    if (built_in) {
+      diagnostics.add(place_of(key), fmt::format("varying \"{}\" is a built-in and has no values", name),
+                      "leave it out of [draw.varyings]");
+    } else {
+      diagnostics.add(place_of(key), fmt::format("unknown varying \"{}\"", name),
+                      names.empty() ? "declare it in [varyings]" : suggestion(name, names, "declared"));
+    }
   }
 }
 
@@ -152,11 +81,9 @@ std::vector<const toml::array*> find_varyings(const toml::table& table, const st
   const toml::node* const node = table.get("varyings");
   const toml::table* const given = node == nullptr ? nullptr : as_table(*node, "draw.varyings", diagnostics);
   if (node != nullptr && given == nullptr) return found;
-  std::vector<std::string> names;
   for (size_t i = 0; i < varyings.size(); ++i) {
     if (varyings[i].source != VaryingSource::kVertices) continue;
     const std::string& name = varyings[i].name;
-    names.push_back(name);
     const toml::node* const value = given == nullptr ? nullptr : given->get(name);
     if (value == nullptr) {
       diagnostics.add(place_of(table), fmt::format("draw lacks the varying \"{}\"", name),
@@ -173,12 +100,7 @@ std::vector<const toml::array*> find_varyings(const toml::table& table, const st
     }
     found[i] = array;
   }
-  if (given == nullptr) return found;
-  for (const auto& [key, value] : *given) {
-    if (std::find(names.begin(), names.end(), key.str()) != names.end()) continue;
-    diagnostics.add(place_of(key), fmt::format("unknown varying \"{}\"", key.str()),
-                    names.empty() ? "declare it in [varyings]" : suggestion(key.str(), names, "declared"));
-  }
+  if (given != nullptr) refuse_other_varyings(*given, varyings, diagnostics);
   return found;
 }
 
@@ -195,25 +117,6 @@ VkPrimitiveTopology read_topology(const toml::table& table, Values& values) {
   values.diagnostics().add(place_of(*node), fmt::format("topology \"{}\" is not supported", *name),
                            fmt::format("supported: {}", fmt::join(enum_names(kTopologies), ", ")));
   return kFallback;
-}
-
-void wrong_number(const toml::node& node, std::string_view label, const toml::array& positions,
-                  Diagnostics& diagnostics) {
-  diagnostics.add(place_of(node),
-                  fmt::format("{} has {} values for {} positions", label, node.as_array()->size(), positions.size()));
-}
-
-// Null where there are none, or wrong ones.
-const toml::array* find_distances(const toml::table& table, std::string_view key, const toml::array& positions,
-                                  Diagnostics& diagnostics) {
-  const toml::node* const node = table.get(key);
-  if (node == nullptr) return nullptr;
-  const toml::array* const array =
-      as_array(*node, key, "an array with one distance, or an array of them, for each position", diagnostics);
-  if (array == nullptr) return nullptr;
-  if (array->size() == positions.size()) return array;
-  wrong_number(*node, key, positions, diagnostics);
-  return nullptr;
 }
 
 // Nothing if the draw has no positions to go on with.
@@ -242,35 +145,23 @@ std::optional<VertexSource> find_vertices(const toml::table& table, const std::v
     return std::nullopt;
   }
   source.varyings = find_varyings(table, varyings, source.positions->size(), values);
-  source.point_sizes = table.get("point_sizes");
-  if (source.point_sizes != nullptr && source.point_sizes->is_array() &&
-      source.point_sizes->as_array()->size() != source.positions->size()) {
-    wrong_number(*source.point_sizes, "point_sizes", *source.positions, diagnostics);
-    source.point_sizes = nullptr;
-  }
-  source.clip_distances = find_distances(table, "clip_distances", *source.positions, diagnostics);
-  source.cull_distances = find_distances(table, "cull_distances", *source.positions, diagnostics);
   return source;
 }
 
-// As many as the first vertex has.
-uint32_t distance_count(const toml::array* array) {
-  if (array == nullptr) return 0;
-  const toml::array* const first = array->get(0)->as_array();
-  return first == nullptr ? 1 : static_cast<uint32_t>(first->size());
-}
-
-void read_distance_counts(const toml::table& table, const VertexSource& source, Diagnostics& diagnostics,
-                          Draw& draw) {
-  draw.clip_distance_count = distance_count(source.clip_distances);
-  draw.cull_distance_count = distance_count(source.cull_distances);
-  if (draw.clip_distance_count + draw.cull_distance_count <= kMaxClipAndCullDistances) return;
-  diagnostics.add(place_of(table),
-                  fmt::format("{} clip distances and {} cull distances are too many", draw.clip_distance_count,
-                              draw.cull_distance_count),
-                  fmt::format("up to {} together", kMaxClipAndCullDistances));
-  draw.clip_distance_count = 0;
-  draw.cull_distance_count = 0;
+// Elsewhere gl_PointCoord is undefined.
+void refuse_point_coord_without_points(const toml::table& table, const std::vector<Varying>& varyings,
+                                       const Draw& draw, Diagnostics& diagnostics) {
+  const bool lines =
+      draw.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST || draw.topology == VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
+  const bool points = draw.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST ||
+                      (!lines && draw.state.polygon_mode == VK_POLYGON_MODE_POINT);
+  if (points) return;
+  for (const Varying& varying : varyings) {
+    if (varying.source != VaryingSource::kPointCoord) continue;
+    diagnostics.add(place_of(table),
+                    fmt::format("varying \"{}\" is point_coord, but this draw has no points", varying.name),
+                    R"(topology = "point_list", or polygon_mode = "point")");
+  }
 }
 
 Draw read_draw(const toml::table& table, const Target& target, const std::vector<Varying>& varyings,
@@ -284,11 +175,12 @@ Draw read_draw(const toml::table& table, const Target& target, const std::vector
     const toml::table* const own = as_table(*node, "draw.state", values.diagnostics());
     if (own != nullptr) read_state({*own, "[draw.state]"}, target, values, draw.state);
   }
-  const auto source = find_vertices(table, varyings, values);
+  refuse_point_coord_without_points(table, varyings, draw, values.diagnostics());
+  auto source = find_vertices(table, varyings, values);
   if (!source) return draw;
+  source->attributes = find_attributes(table, source->positions->size(), values.diagnostics(), draw);
   if (source->indices != nullptr) draw.indices.emplace();
   read_index_state(table, values, draw);
-  read_distance_counts(table, *source, values.diagnostics(), draw);
   const size_t size = source->positions->size() + (source->indices == nullptr ? 0 : source->indices->size());
   for_each_copy(table.get("repeat"), kMaxVertices / size, values,
                 [&] { append_copy(*source, varyings, values, draw); });

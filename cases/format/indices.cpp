@@ -16,6 +16,18 @@ void refuse_index_keys_without_indices(const toml::table& table, Diagnostics& di
   }
 }
 
+void refuse_vertex(const toml::node& node, int64_t index, int64_t vertices, int32_t offset,
+                   Diagnostics& diagnostics) {
+  if (offset == 0) {
+    diagnostics.add(place_of(node), fmt::format("index must be 0 to {}, not {}", vertices - 1, index));
+    return;
+  }
+  diagnostics.add(
+      place_of(node),
+      fmt::format("index {} with vertex_offset {} is vertex {} of {}", index, offset, index + offset, vertices),
+      "vertices count from 0, in each copy of repeat anew");
+}
+
 }  // namespace
 
 void append_index(const toml::node& node, uint32_t first_vertex, int64_t vertices, Values& values, Draw& draw) {
@@ -34,20 +46,15 @@ void append_index(const toml::node& node, uint32_t first_vertex, int64_t vertice
   const bool restarts = draw.primitive_restart && *index == restart;
   const int64_t vertex = *index + draw.vertex_offset;
   if (!restarts && (vertex < 0 || vertex >= vertices)) {
-    values.diagnostics().add(place_of(node), draw.vertex_offset == 0
-                                                 ? fmt::format("index must be 0 to {}, not {}", vertices - 1, *index)
-                                                 : fmt::format("index {} with vertex_offset {} is vertex {} of {}",
-                                                               *index, draw.vertex_offset, vertex, vertices));
+    refuse_vertex(node, *index, vertices, draw.vertex_offset, values.diagnostics());
     return;
   }
-  if (!restarts && moved > restart) {
-    values.diagnostics().add(place_of(node), fmt::format("index {} is beyond the index type", moved),
-                             "choose a larger index_type");
-    return;
-  }
-  if (!restarts && draw.primitive_restart && moved == restart) {
-    values.diagnostics().add(place_of(node), fmt::format("repeat moves an index to {}, which restarts", moved),
-                             "choose a larger index_type");
+  const int64_t largest = draw.primitive_restart ? int64_t{restart} - 1 : int64_t{restart};
+  if (!restarts && moved > largest) {
+    values.diagnostics().add(
+        place_of(node),
+        fmt::format("repeat moves an index to {}, beyond {}, the index_type's largest", moved, largest),
+        "choose a larger index_type");
     return;
   }
   draw.indices->push_back(restarts ? restart : static_cast<uint32_t>(moved));

@@ -1,5 +1,4 @@
 // One bad file a test, with the exact text of its error.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -8,11 +7,6 @@
 
 namespace fillrule::format {
 namespace {
-
-// The errors of a file with this text and a draw that is good.
-std::string errors_with_draw(const std::string& body) {
-  return errors_of(body + kDraw);
-}
 
 TEST(BadFile, Missing) {
   const CaseFile file = read_file("no/such/file.toml", "x");
@@ -165,109 +159,42 @@ TEST(BadState, Scissor) {
             "a.toml:4:15: unknown key \"w\" in scissor\n  hint: known keys: x, y, width, height\n");
 }
 
-TEST(BadVaryings, Declaration) {
-  EXPECT_EQ(errors_with_draw("varyings.c = 3\n"),
-            "a.toml:4:14: varying \"c\" must be a table or an interpolation, not an integer\n"
-            "  hint: for example \"smooth\" or { components = 3, interpolation = \"smooth\" }\n"
-            "a.toml:5:1: draw lacks the varying \"c\"\n"
-            "  hint: give one value for each position in [draw.varyings]\n");
-  const std::string values = "[draw.varyings]\nc = [1]\n";
-  EXPECT_EQ(errors_of("varyings.c = { components = 5 }\n" + kDraw + values),
-            "a.toml:4:29: components must be 1 to 4, not 5\n");
-  EXPECT_EQ(errors_of("varyings.c = { interpolation = 'flt', components = 1 }\n" + kDraw + values),
-            "a.toml:4:32: unknown interpolation \"flt\"\n  hint: did you mean \"flat\"?\n");
-  EXPECT_EQ(errors_of("varyings.c = { component = 1 }\n" + kDraw + values),
-            "a.toml:4:16: unknown key \"component\" in varying \"c\"\n  hint: did you mean \"components\"?\n");
-  EXPECT_EQ(errors_of("varyings.depth = 'smooth'\n" + kDraw + "varyings.depth = [1]\n"),
-            "a.toml:4:10: a varying cannot be named \"depth\"\n"
-            "  hint: the results have a plane of that name; choose another\n");
-  EXPECT_EQ(errors_of("varyings.'a b' = 'smooth'\n" + kDraw + "varyings.'a b' = [1]\n"),
-            "a.toml:4:10: \"a b\" is not a varying's name\n"
-            "  hint: a name has letters, digits and _, and does not begin with a digit\n");
+TEST(BadState, Depth) {
+  EXPECT_EQ(errors_with_draw("state.depth_bias = 1\n"), "a.toml:4:20: depth_bias must be a table, not an integer\n");
+  EXPECT_EQ(errors_with_draw("state.depth_bias.slop = 1\n"),
+            "a.toml:4:18: unknown key \"slop\" in depth_bias\n  hint: did you mean \"slope\"?\n");
+  EXPECT_EQ(errors_with_draw("state.depth_bias = { constant = inf, slope = nan, clamp = 'x' }\n"),
+            "a.toml:4:33: depth_bias constant must be finite, not inf\n"
+            "a.toml:4:46: depth_bias slope must be finite, not nan\n"
+            "a.toml:4:59: unknown name \"x\" in expression \"x\"\n"
+            "  hint: known names: pi, abs, acos, acosh, asin, asinh, atan, atan2, atanh, avg, ceil, cos, cosh, exp, "
+            "floor, ln, log, log10, log2, max, min, mod, random, rint, sign, sin, sinh, sqrt, sum, tan, tanh, ulp\n");
+  EXPECT_EQ(errors_with_draw("state.depth_bounds = true\n"),
+            "a.toml:4:22: depth_bounds must be a table, not a boolean\n");
+  EXPECT_EQ(errors_with_draw("state.depth_bounds.near = 1\n"),
+            "a.toml:4:20: unknown key \"near\" in depth_bounds\n  hint: known keys: min, max\n");
+  EXPECT_EQ(errors_with_draw("state.depth_bounds = { min = -0.5, max = 1.5 }\n"),
+            "a.toml:4:30: depth_bounds min must be 0 to 1, not -0.5\n"
+            "a.toml:4:42: depth_bounds max must be 0 to 1, not 1.5\n");
+  EXPECT_EQ(errors_with_draw("state.depth_bounds = { min = 0.5, max = 0.25 }\n"),
+            "a.toml:4:22: depth_bounds: min 0.5 is above max 0.25\n  hint: no fragment could pass\n");
+  EXPECT_EQ(errors_with_draw("state = { depth_clamp = 1, depth_clip = 'no', negative_one_to_one = 1.0 }\n"),
+            "a.toml:4:25: depth_clamp must be true or false, not an integer\n"
+            "a.toml:4:41: depth_clip must be true or false, not \"no\"\n"
+            "a.toml:4:69: negative_one_to_one must be true or false, not a float\n");
 }
 
-TEST(BadVaryings, TooMany) {
-  std::string declared = "[varyings]\n";
-  std::string values = "[draw.varyings]\n";
-  for (int i = 0; i < 9; ++i) {
-    declared += fmt::format("v{} = 'flat'\n", i);
-    values += fmt::format("v{} = [1]\n", i);
-  }
-  const std::string errors = errors_of(declared + kDraw + values);
-  EXPECT_TRUE(errors.starts_with("a.toml:13:1: 9 varyings are too many\n  hint: a case has up to 8\n")) << errors;
-}
-
-TEST(BadDraw, None) {
-  EXPECT_EQ(errors_of(""), "a.toml:1:1: the case draws nothing\n  hint: add a [[draw]] with positions\n");
-  EXPECT_EQ(errors_of("draw = []\n"), "a.toml:1:1: the case draws nothing\n  hint: add a [[draw]] with positions\n");
-  EXPECT_EQ(errors_of("[draw]\npositions = []\n"),
-            "a.toml:4:1: draw must be an array of tables, not a table\n  hint: write [[draw]] with two brackets\n");
-  EXPECT_EQ(errors_of("draw = [1]\n"), "a.toml:4:9: draw must be a table, not an integer\n");
-}
-
-TEST(BadDraw, Keys) {
-  EXPECT_EQ(errors_of(kDraw + "indexes = [0]\n"),
-            "a.toml:6:1: unknown key \"indexes\" in [[draw]]\n  hint: did you mean \"indices\"?\n");
-  EXPECT_EQ(errors_of(kDraw + "state.cul_mode = 'back'\n"),
-            "a.toml:6:7: unknown key \"cul_mode\" in [draw.state]\n  hint: did you mean \"cull_mode\"?\n");
-}
-
-TEST(BadDraw, Topology) {
-  EXPECT_EQ(errors_of(kDraw + "topology = 'patch_list'\n"),
-            "a.toml:6:12: topology \"patch_list\" is not supported\n"
-            "  hint: supported: point_list, line_list, line_strip, triangle_list, triangle_strip, triangle_fan\n");
-  EXPECT_EQ(errors_of(kDraw + "topology = 'triangles'\n"),
-            "a.toml:6:12: unknown topology \"triangles\"\n"
-            "  hint: known: point_list, line_list, line_strip, triangle_list, triangle_strip, triangle_fan\n");
-}
-
-TEST(BadDraw, Positions) {
-  EXPECT_EQ(errors_of("[[draw]]\n"), "a.toml:4:1: draw has no positions\n  hint: positions = [[x, y, z, w], ...]\n");
-  EXPECT_EQ(errors_of("[[draw]]\npositions = []\n"),
-            "a.toml:5:13: positions is empty\n  hint: a draw has at least one vertex\n");
-  EXPECT_EQ(errors_of("[[draw]]\npositions = [[0, 0]]\n"),
-            "a.toml:5:14: position in clip space must be [x, y, z, w], not 2 numbers\n"
-            "  hint: other spaces: space = \"ndc\" or \"framebuffer\"\n");
-  EXPECT_EQ(errors_of("[[draw]]\nspace = 'ndc'\npositions = [[0], 1]\n"),
-            "a.toml:6:14: position in ndc space must be [x, y], [x, y, z] or [x, y, z, w], not 1 numbers\n"
-            "a.toml:6:19: position must be [x, y], [x, y, z] or [x, y, z, w], not an integer\n");
-  EXPECT_EQ(errors_of("[[draw]]\nspace = 'screen'\npositions = [[0, 0, 0, 1]]\n"),
-            "a.toml:5:9: unknown space \"screen\"\n  hint: known: clip, ndc, framebuffer\n");
-  EXPECT_EQ(errors_of("[[draw]]\npositions = [[0, 0, true, 1]]\n"),
-            "a.toml:5:21: coordinate must be a number, not a boolean\n");
-}
-
-TEST(BadDraw, Indices) {
-  EXPECT_EQ(errors_of(kDraw + "indices = [0, 1]\n"), "a.toml:6:15: index must be 0 to 0, not 1\n");
-  EXPECT_EQ(errors_of(kDraw + "indices = [-1]\n"), "a.toml:6:12: index must be 0 to 4294967295, not -1\n");
-  EXPECT_EQ(errors_of(kDraw + "indices = []\n"),
-            "a.toml:6:11: indices is empty\n  hint: leave the key out to draw the vertices in their order\n");
-  EXPECT_EQ(errors_of(kDraw + "indices = 'all'\n"),
-            "a.toml:6:11: indices must be an array of integers, not a string\n");
-}
-
-TEST(BadDraw, Varyings) {
-  const std::string declared = "varyings.c = { components = 2 }\n";
-  EXPECT_EQ(errors_of(declared + kDraw),
-            "a.toml:5:1: draw lacks the varying \"c\"\n"
-            "  hint: give one value for each position in [draw.varyings]\n");
-  EXPECT_EQ(errors_of(declared + kDraw + "varyings.c = [[1, 2], [3, 4]]\n"),
-            "a.toml:7:14: varying \"c\" has 2 values for 1 positions\n");
-  EXPECT_EQ(errors_of(declared + kDraw + "varyings.c = [[1, 2, 3]]\n"),
-            "a.toml:7:15: varying \"c\" has 2 components, not 3\n");
-  EXPECT_EQ(errors_of(declared + kDraw + "varyings.c = [1]\n"),
-            "a.toml:7:15: varying \"c\" has 2 components, not 1\n");
-  EXPECT_EQ(errors_of(declared + kDraw + "varyings = { c = [[1, 2]], colour = [1] }\n"),
-            "a.toml:7:28: unknown varying \"colour\"\n  hint: declared: c\n");
-  EXPECT_EQ(errors_of(kDraw + "varyings.c = [1]\n"),
-            "a.toml:6:10: unknown varying \"c\"\n  hint: declare it in [varyings]\n");
-  EXPECT_EQ(errors_of("varyings.c = 'flat'\n" + kDraw + "varyings.c = [[1, 2, 3, 4, 5]]\n"),
-            "a.toml:7:15: varying \"c\" must have 1 to 4 components, not 5\n");
-  EXPECT_EQ(errors_of("varyings.c = 'flat'\n" + kDraw),
-            "a.toml:4:10: varying \"c\" has no vertex to take its number of components from\n"
-            "  hint: give its values in [draw.varyings], or write { components = 1, interpolation = \"smooth\" }\n"
-            "a.toml:5:1: draw lacks the varying \"c\"\n"
-            "  hint: give one value for each position in [draw.varyings]\n");
+TEST(BadState, LinesAndSamples) {
+  EXPECT_EQ(errors_with_draw("state.polygon_mode = 'lines'\n"),
+            "a.toml:4:22: unknown polygon_mode \"lines\"\n  hint: did you mean \"line\"?\n");
+  EXPECT_EQ(errors_with_draw("state.line_mode = 'smooth'\n"),
+            "a.toml:4:19: unknown line_mode \"smooth\"\n  hint: known: rectangular, bresenham\n");
+  EXPECT_EQ(errors_with_draw("state.provoking_vertex = 'lst'\n"),
+            "a.toml:4:26: unknown provoking_vertex \"lst\"\n  hint: did you mean \"last\"?\n");
+  EXPECT_EQ(errors_with_draw("state.line_width = 0\n"), "a.toml:4:20: line_width must be above 0, not 0\n");
+  EXPECT_EQ(errors_with_draw("state.line_width = inf\n"), "a.toml:4:20: line_width must be finite, not inf\n");
+  EXPECT_EQ(errors_with_draw("state.sample_mask = -1\n"),
+            "a.toml:4:21: sample_mask must be 0 to 4294967295, not -1\n");
 }
 
 TEST(BadNumber, Float32) {

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "cases/format/test_files.h"
 
@@ -131,6 +132,141 @@ TEST(Reader, TopologyAndIndices) {
   EXPECT_EQ(one.draws.at(0).indices, (std::vector<uint32_t>{0, 0, 0}));
   EXPECT_EQ(one.draws.at(1).topology, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST);
   EXPECT_EQ(one.draws.at(1).indices, std::nullopt);
+}
+
+TEST(Reader, DepthFormatsAndSamples) {
+  const std::vector<std::pair<std::string, VkFormat>> formats{{"none", VK_FORMAT_UNDEFINED},
+                                                              {"d16_unorm", VK_FORMAT_D16_UNORM},
+                                                              {"x8_d24_unorm_pack32", VK_FORMAT_X8_D24_UNORM_PACK32},
+                                                              {"d32_sfloat", VK_FORMAT_D32_SFLOAT}};
+  for (const auto& [name, format] : formats) {
+    EXPECT_EQ(case_of("target.depth_format = '" + name + "'\n" + kDraw).target.depth_format, format);
+  }
+  for (const uint32_t samples : {1U, 2U, 4U, 8U, 16U}) {
+    const Case one = case_of(fmt::format("target.samples = {}\n", samples) + kDraw);
+    EXPECT_EQ(static_cast<uint32_t>(one.target.samples), samples);
+  }
+}
+
+TEST(Reader, DepthState) {
+  const RasterState usual = case_of(kDraw).draws.at(0).state;
+  EXPECT_FALSE(usual.depth_bias || usual.depth_bounds || usual.depth_clamp || usual.negative_one_to_one);
+  EXPECT_TRUE(usual.depth_clip);
+  const RasterState state =
+      case_of(
+          "[state]\ndepth_bias = { constant = 2, slope = -1.5, clamp = 0.25 }\n"
+          "depth_bounds = { min = 0.25, max = 0.5 }\ndepth_clamp = true\nnegative_one_to_one = true\n" +
+          kDraw)
+          .draws.at(0)
+          .state;
+  EXPECT_EQ(state.depth_bias, (DepthBias{.constant_factor = 2, .slope_factor = -1.5F, .clamp = 0.25F}));
+  EXPECT_EQ(state.depth_bounds, (DepthBounds{.min = 0.25F, .max = 0.5F}));
+  EXPECT_TRUE(state.depth_clamp);
+  EXPECT_TRUE(state.negative_one_to_one);
+  const RasterState empty = case_of("[state]\ndepth_bias = {}\ndepth_bounds = {}\n" + kDraw).draws.at(0).state;
+  EXPECT_EQ(empty.depth_bias, DepthBias{});
+  EXPECT_EQ(empty.depth_bounds, DepthBounds{});
+}
+
+TEST(Reader, DepthClipFollowsDepthClampUnlessItIsGiven) {
+  const auto clips = [](const std::string& state, const std::string& of_draw) {
+    return case_of("state = {" + state + "}\n" + kDraw + "state = {" + of_draw + "}\n").draws.at(0).state.depth_clip;
+  };
+  EXPECT_FALSE(clips("depth_clamp = true", ""));
+  EXPECT_TRUE(clips("depth_clamp = true, depth_clip = true", ""));
+  EXPECT_FALSE(clips("depth_clip = false", ""));
+  EXPECT_FALSE(clips("", "depth_clamp = true"));
+  EXPECT_TRUE(clips("depth_clamp = true", "depth_clamp = false"));
+  EXPECT_TRUE(clips("depth_clip = false, depth_clamp = false", "depth_clip = true"));
+}
+
+TEST(Reader, LinesPolygonsAndSamples) {
+  const RasterState state = case_of(
+                                "[state]\npolygon_mode = 'line'\nline_mode = 'bresenham'\nline_width = 1.5\n"
+                                "provoking_vertex = 'last'\nsample_mask = 0xFFFFFFFE\n" +
+                                kDraw)
+                                .draws.at(0)
+                                .state;
+  EXPECT_EQ(state.polygon_mode, VK_POLYGON_MODE_LINE);
+  EXPECT_EQ(state.line_mode, VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT);
+  EXPECT_EQ(state.line_width, 1.5F);
+  EXPECT_EQ(state.provoking_vertex, VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT);
+  EXPECT_EQ(state.sample_mask, 0xFFFFFFFEU);
+  const RasterState usual = case_of(kDraw).draws.at(0).state;
+  EXPECT_EQ(usual.polygon_mode, VK_POLYGON_MODE_FILL);
+  EXPECT_EQ(usual.line_mode, VK_LINE_RASTERIZATION_MODE_RECTANGULAR_EXT);
+  EXPECT_EQ(usual.line_width, 1.0F);
+  EXPECT_EQ(usual.provoking_vertex, VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT);
+  EXPECT_EQ(usual.sample_mask, 0xFFFFFFFFU);
+}
+
+TEST(Reader, SamplingAndBuiltIns) {
+  const Case one = case_of(
+      "[varyings]\na = { sampling = 'centroid' }\nwhere = { source = 'frag_coord' }\n"
+      "b = { interpolation = 'noperspective', sampling = 'sample', source = 'vertices' }\n"
+      "st = { source = 'point_coord' }\n"
+      "[[draw]]\ntopology = 'point_list'\npositions = [[0, 0, 0, 1], [1, 0, 0, 1]]\n"
+      "varyings = { a = [1, 2], b = [[3, 4], [5, 6]] }\n");
+  EXPECT_THAT(one.varyings,
+              ElementsAre(Varying{"a", 1, Interpolation::kSmooth, Sampling::kCentroid},
+                          Varying{"where", 4, Interpolation::kSmooth, Sampling::kCenter, VaryingSource::kFragCoord},
+                          Varying{"b", 2, Interpolation::kNoperspective, Sampling::kSample},
+                          Varying{"st", 2, Interpolation::kSmooth, Sampling::kCenter, VaryingSource::kPointCoord}));
+  EXPECT_THAT(one.draws.at(0).varyings, ElementsAre(1, 3, 4, 2, 5, 6));
+}
+
+TEST(Reader, PointCoordIsForPolygonsDrawnAsPointsToo) {
+  const Case one = case_of("varyings.st = { source = 'point_coord' }\n" + kDraw + "state.polygon_mode = 'point'\n");
+  EXPECT_EQ(one.varyings.at(0).components, 2U);
+}
+
+TEST(Reader, PointSizes) {
+  EXPECT_TRUE(case_of(kDraw).draws.at(0).point_sizes.empty());
+  const std::string two = "[[draw]]\npositions = [[0, 0, 0, 1], [1, 0, 0, 1]]\nrepeat = { i = 2 }\n";
+  EXPECT_THAT(case_of(two + "point_sizes = [1.5, '2 + i']\n").draws.at(0).point_sizes, ElementsAre(1.5F, 2, 1.5F, 3));
+  EXPECT_THAT(case_of(two + "point_sizes = '2 + i'\n").draws.at(0).point_sizes, ElementsAre(2, 2, 3, 3));
+}
+
+TEST(Reader, ClipAndCullDistances) {
+  const Draw draw = case_of(
+                        "[[draw]]\npositions = [[0, 0, 0, 1], [1, 0, 0, 1]]\nrepeat = { i = 2 }\n"
+                        "clip_distances = [['i', -1, 2], [3, inf, -0.0]]\ncull_distances = [4, [-5]]\n")
+                        .draws.at(0);
+  EXPECT_EQ(draw.clip_distance_count, 3U);
+  EXPECT_EQ(draw.cull_distance_count, 1U);
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_THAT(draw.clip_distances, ElementsAre(0, -1, 2, 3, infinity, 0, 1, -1, 2, 3, infinity, 0));
+  EXPECT_TRUE(std::signbit(draw.clip_distances.at(5)));
+  EXPECT_THAT(draw.cull_distances, ElementsAre(4, -5, 4, -5));
+  const Draw eight = case_of(kDraw + "clip_distances = [[1, 2, 3, 4, 5, 6, 7, 8]]\n").draws.at(0);
+  EXPECT_EQ(eight.clip_distance_count, 8U);
+  EXPECT_EQ(eight.cull_distance_count, 0U);
+}
+
+TEST(Reader, IndexTypesOffsetsAndRestarts) {
+  const Draw usual = case_of(kDraw + "indices = [0]\n").draws.at(0);
+  EXPECT_EQ(usual.index_type, VK_INDEX_TYPE_UINT32);
+  EXPECT_EQ(usual.vertex_offset, 0);
+  EXPECT_FALSE(usual.primitive_restart);
+  const std::string strip = "[[draw]]\ntopology = 'line_strip'\npositions = [[0, 0, 0, 1], [1, 0, 0, 1]]\n";
+  const Draw moved = case_of(strip + "indices = [7, 8]\nvertex_offset = -7\nindex_type = 'uint16'\n").draws.at(0);
+  EXPECT_EQ(moved.index_type, VK_INDEX_TYPE_UINT16);
+  EXPECT_EQ(moved.vertex_offset, -7);
+  EXPECT_EQ(moved.indices, (std::vector<uint32_t>{7, 8}));
+  // The restart index may be written as a number, is compared before the offset is added, and no copy moves it.
+  const Draw restarts = case_of(strip +
+                                "indices = [7, 'restart', 8, 255]\nvertex_offset = -7\nindex_type = 'uint8'\n"
+                                "primitive_restart = true\nrepeat = { i = 2 }\n")
+                            .draws.at(0);
+  EXPECT_EQ(restarts.indices, (std::vector<uint32_t>{7, 255, 8, 255, 9, 255, 10, 255}));
+  EXPECT_TRUE(restarts.primitive_restart);
+}
+
+TEST(Reader, TheLargestIndexIsAVertexUnlessItRestarts) {
+  const std::string vertices = "[[draw]]\npositions = [[0, 0, 0, 1]]\nrepeat = { i = 256 }\nindex_type = 'uint8'\n";
+  const Draw draw = case_of(vertices + "topology = 'triangle_strip'\nindices = [0]\n").draws.at(0);
+  EXPECT_EQ(draw.indices->back(), 255U);
+  EXPECT_EQ(element_runs(draw).size(), 1U);
 }
 
 TEST(Reader, PositionsOfEverySpace) {

@@ -52,8 +52,11 @@ TEST(Readme, TheFullExampleIsWhatItSays) {
   ASSERT_EQ(last.draws.size(), 2U);
   EXPECT_EQ(last.draws[0].positions.size(), 18U);
   EXPECT_EQ(last.draws[0].varyings.size(), 18U * 4U);
+  EXPECT_EQ(last.varyings.at(1).source, VaryingSource::kFragCoord);
+  EXPECT_EQ(last.draws[0].state.sample_mask, 0b1101U);
   EXPECT_EQ(last.draws[0].state.cull_mode, VkCullModeFlags{VK_CULL_MODE_BACK_BIT});
   EXPECT_EQ(last.draws[1].state.depth_compare, VK_COMPARE_OP_ALWAYS);
+  EXPECT_EQ(primitive_count(last.draws[1]), 2U);
   EXPECT_EQ(last.draws[1].positions.at(2), (ClipPosition{0, 0.5F, 0.5F, 1}));
 }
 

@@ -5,10 +5,10 @@
 namespace fillrule::format {
 namespace {
 
-constexpr VkViewport kWhole{
-    .x = 0.0F, .y = 0.0F, .width = 64.0F, .height = 64.0F, .minDepth = 0.0F, .maxDepth = 1.0F};
-constexpr VkViewport kPart{
-    .x = 8.0F, .y = 16.0F, .width = 32.0F, .height = -16.0F, .minDepth = 0.75F, .maxDepth = 0.25F};
+const RasterState kWhole{
+    .viewport = {.x = 0.0F, .y = 0.0F, .width = 64.0F, .height = 64.0F, .minDepth = 0.0F, .maxDepth = 1.0F}};
+const RasterState kPart{
+    .viewport = {.x = 8.0F, .y = 16.0F, .width = 32.0F, .height = -16.0F, .minDepth = 0.75F, .maxDepth = 0.25F}};
 
 TEST(ClipFrom, ClipIsItself) {
   EXPECT_EQ(clip_from(PositionSpace::kClip, {1, 2, 3, 4}, kPart), (Position{1, 2, 3, 4}));
@@ -28,9 +28,20 @@ TEST(ClipFrom, FramebufferInvertsTheViewport) {
 }
 
 TEST(ClipFrom, OneDepthIsTheMiddleOfNdc) {
-  VkViewport viewport = kWhole;
-  viewport.minDepth = viewport.maxDepth = 0.25F;
-  EXPECT_EQ(clip_from(PositionSpace::kFramebuffer, {32, 32, 0.25, 2}, viewport), (Position{0, 0, 1, 2}));
+  RasterState state = kWhole;
+  state.viewport.minDepth = state.viewport.maxDepth = 0.25F;
+  EXPECT_EQ(clip_from(PositionSpace::kFramebuffer, {32, 32, 0.25, 2}, state), (Position{0, 0, 1, 2}));
+  state.negative_one_to_one = true;
+  EXPECT_EQ(clip_from(PositionSpace::kFramebuffer, {32, 32, 0.25, 2}, state), (Position{0, 0, 1, 2}));
+}
+
+TEST(ClipFrom, DepthBeginsAtMinusOneIfTheViewVolumeDoes) {
+  RasterState state = kPart;
+  state.negative_one_to_one = true;
+  EXPECT_EQ(clip_from(PositionSpace::kFramebuffer, {8, 16, 0.75, 2}, state), (Position{-2, -2, -2, 2}));
+  EXPECT_EQ(clip_from(PositionSpace::kFramebuffer, {8, 16, 0.5, 2}, state), (Position{-2, -2, 0, 2}));
+  EXPECT_EQ(clip_from(PositionSpace::kFramebuffer, {8, 16, 0.25, 2}, state), (Position{-2, -2, 2, 2}));
+  EXPECT_EQ(clip_from(PositionSpace::kNdc, {0, 0, 0.25, 2}, state), (Position{0, 0, 0.5, 2}));
 }
 
 }  // namespace

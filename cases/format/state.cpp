@@ -124,7 +124,8 @@ DepthBounds read_depth_bounds(const toml::node& node, Values& values) {
   read("max", bounds.max);
   if (bounds.min > bounds.max) {
     values.diagnostics().add(place_of(node),
-                             fmt::format("depth_bounds: min {} is above max {}", bounds.min, bounds.max));
+                             fmt::format("depth_bounds: min {} is above max {}", bounds.min, bounds.max),
+                             "no fragment could pass");
   }
   return bounds;
 }
@@ -144,6 +145,7 @@ void read_depth_state(const toml::table& table, Values& values, RasterState& sta
   if (const toml::node* const node = table.get("depth_bounds")) state.depth_bounds = read_depth_bounds(*node, values);
   if (const toml::node* const node = table.get("depth_clamp")) {
     state.depth_clamp = values.boolean(*node, "depth_clamp").value_or(state.depth_clamp);
+    // What Vulkan does where nothing is said about clipping.
     state.depth_clip = !state.depth_clamp;
   }
   if (const toml::node* const node = table.get("depth_clip")) {

@@ -23,6 +23,11 @@ inline std::string errors_of(const std::string& body) {
   return text;
 }
 
+// The errors of a file with this text and a draw that is good.
+inline std::string errors_with_draw(const std::string& body) {
+  return errors_of(body + kDraw);
+}
+
 // The cases of a file of this text after kHead; its errors are told on the way.
 inline std::vector<Case> cases_of(const std::string& body) {
   CaseFile file = parse(kHead + body, "a.toml", "a");

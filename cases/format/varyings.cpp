@@ -73,8 +73,8 @@ void read_built_in(const toml::table& table, const Entry& entry, Values& values,
 void read_sampling(const toml::node& node, Values& values, Varying& varying) {
   varying.sampling = values.enumerator(node, "sampling", kSamplings).value_or(varying.sampling);
   if (varying.interpolation == Interpolation::kFlat && varying.sampling != Sampling::kCenter) {
-    values.diagnostics().add(place_of(node), "a flat varying is evaluated nowhere: it has no sampling",
-                             "leave the key out");
+    values.diagnostics().add(place_of(node), fmt::format("varying \"{}\" is flat and has no sampling", varying.name),
+                             "leave the key out, or interpolate it");
   }
 }
 

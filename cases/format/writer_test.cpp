@@ -5,6 +5,7 @@
 
 #include <array>
 #include <bit>
+#include <cmath>
 #include <random>
 
 #include "cases/format/enums.h"
@@ -33,24 +34,58 @@ std::vector<uint32_t> bits(const std::vector<ClipPosition>& positions) {
   return result;
 }
 
-std::vector<uint32_t> bits(const RasterState& state) {
-  const VkViewport& viewport = state.viewport;
-  const VkRect2D& scissor = state.scissor;
-  return {state.cull_mode,
-          static_cast<uint32_t>(state.front_face),
-          static_cast<uint32_t>(state.depth_test),
-          static_cast<uint32_t>(state.depth_write),
-          static_cast<uint32_t>(state.depth_compare),
-          bits(viewport.x),
-          bits(viewport.y),
-          bits(viewport.width),
-          bits(viewport.height),
-          bits(viewport.minDepth),
-          bits(viewport.maxDepth),
-          static_cast<uint32_t>(scissor.offset.x),
-          static_cast<uint32_t>(scissor.offset.y),
-          scissor.extent.width,
+std::vector<uint32_t> bits(const VkViewport& viewport) {
+  return {bits(viewport.x),      bits(viewport.y),        bits(viewport.width),
+          bits(viewport.height), bits(viewport.minDepth), bits(viewport.maxDepth)};
+}
+
+std::vector<uint32_t> bits(const VkRect2D& scissor) {
+  return {static_cast<uint32_t>(scissor.offset.x), static_cast<uint32_t>(scissor.offset.y), scissor.extent.width,
           scissor.extent.height};
+}
+
+void expect_same_depth_state(const RasterState& a, const RasterState& b) {
+  EXPECT_EQ(a.depth_test, b.depth_test);
+  EXPECT_EQ(a.depth_write, b.depth_write);
+  EXPECT_EQ(a.depth_compare, b.depth_compare);
+  const DepthBias none{};
+  EXPECT_EQ(a.depth_bias.has_value(), b.depth_bias.has_value());
+  EXPECT_EQ(bits(a.depth_bias.value_or(none).constant_factor), bits(b.depth_bias.value_or(none).constant_factor));
+  EXPECT_EQ(bits(a.depth_bias.value_or(none).slope_factor), bits(b.depth_bias.value_or(none).slope_factor));
+  EXPECT_EQ(bits(a.depth_bias.value_or(none).clamp), bits(b.depth_bias.value_or(none).clamp));
+  EXPECT_EQ(a.depth_bounds, b.depth_bounds);
+  EXPECT_EQ(a.depth_clamp, b.depth_clamp);
+  EXPECT_EQ(a.depth_clip, b.depth_clip);
+  EXPECT_EQ(a.negative_one_to_one, b.negative_one_to_one);
+}
+
+void expect_same_state(const RasterState& a, const RasterState& b) {
+  EXPECT_EQ(bits(a.viewport), bits(b.viewport));
+  EXPECT_EQ(bits(a.scissor), bits(b.scissor));
+  EXPECT_EQ(a.cull_mode, b.cull_mode);
+  EXPECT_EQ(a.front_face, b.front_face);
+  expect_same_depth_state(a, b);
+  EXPECT_EQ(a.polygon_mode, b.polygon_mode);
+  EXPECT_EQ(a.line_mode, b.line_mode);
+  EXPECT_EQ(bits(a.line_width), bits(b.line_width));
+  EXPECT_EQ(a.provoking_vertex, b.provoking_vertex);
+  EXPECT_EQ(a.sample_mask, b.sample_mask);
+}
+
+void expect_same_draw(const Draw& a, const Draw& b) {
+  EXPECT_EQ(a.topology, b.topology);
+  EXPECT_EQ(a.indices, b.indices);
+  EXPECT_EQ(a.index_type, b.index_type);
+  EXPECT_EQ(a.vertex_offset, b.vertex_offset);
+  EXPECT_EQ(a.primitive_restart, b.primitive_restart);
+  EXPECT_EQ(bits(a.positions), bits(b.positions));
+  EXPECT_EQ(bits(a.varyings), bits(b.varyings));
+  EXPECT_EQ(bits(a.point_sizes), bits(b.point_sizes));
+  EXPECT_EQ(a.clip_distance_count, b.clip_distance_count);
+  EXPECT_EQ(a.cull_distance_count, b.cull_distance_count);
+  EXPECT_EQ(bits(a.clip_distances), bits(b.clip_distances));
+  EXPECT_EQ(bits(a.cull_distances), bits(b.cull_distances));
+  expect_same_state(a.state, b.state);
 }
 
 void expect_same(const Case& a, const Case& b) {
@@ -68,11 +103,7 @@ void expect_same(const Case& a, const Case& b) {
   EXPECT_EQ(a.varyings, b.varyings);
   ASSERT_EQ(a.draws.size(), b.draws.size());
   for (size_t i = 0; i < a.draws.size(); ++i) {
-    EXPECT_EQ(a.draws[i].topology, b.draws[i].topology);
-    EXPECT_EQ(a.draws[i].indices, b.draws[i].indices);
-    EXPECT_EQ(bits(a.draws[i].state), bits(b.draws[i].state));
-    EXPECT_EQ(bits(a.draws[i].positions), bits(b.draws[i].positions));
-    EXPECT_EQ(bits(a.draws[i].varyings), bits(b.draws[i].varyings));
+    expect_same_draw(a.draws[i], b.draws[i]);
   }
 }
 
@@ -89,41 +120,92 @@ class RandomCase {
     one.target.width = 1 + number(kMaxTargetSize);
     one.target.height = 1 + number(kMaxTargetSize);
     one.target.clear_depth = unit();
+    one.target.depth_format = pick(kDepthFormats);
+    one.target.samples = static_cast<VkSampleCountFlagBits>(1U << number(5));
+    // gl_PointCoord is for points alone.
+    const bool only_points = flip();
     // Names fall, so that a sorted table would show.
     for (uint32_t i = number(kMaxVaryings + 1); i > 0; --i) {
-      one.varyings.push_back({fmt::format("v{}", i), 1 + number(kMaxVaryingComponents), pick(kInterpolations)});
+      one.varyings.push_back(make_varying(fmt::format("v{}", i), only_points));
     }
-    for (uint32_t i = 1 + number(3); i > 0; --i) one.draws.push_back(make_draw(component_count(one.varyings)));
+    const uint32_t components = vertex_component_count(one.varyings);
+    for (uint32_t i = 1 + number(3); i > 0; --i) {
+      const auto topology = only_points ? VK_PRIMITIVE_TOPOLOGY_POINT_LIST : pick(kTopologies);
+      one.draws.push_back(make_draw(topology, components));
+    }
     return one;
   }
 
  private:
-  Draw make_draw(uint32_t components) {
-    Draw draw{.topology = pick(kTopologies)};
-    draw.state = {.cull_mode = pick(kCullModes),
-                  .front_face = pick(kFrontFaces),
-                  .depth_test = number(2) == 0,
-                  .depth_write = number(2) == 0,
-                  .depth_compare = pick(kCompareOps)};
-    draw.state.viewport = {.x = 1000 * unit() - 500,
-                           .y = -unit(),
-                           .width = 0x1p-20F + 16000 * unit(),
-                           .height = (number(2) == 0 ? -1.0F : 1.0F) * (0x1p-20F + 16000 * unit()),
-                           .minDepth = unit(),
-                           .maxDepth = unit()};
-    draw.state.scissor = {.offset = {.x = static_cast<int32_t>(number(1U << 30U)), .y = 0},
-                          .extent = {.width = number(1U << 30U), .height = 0x7FFFFFFFU}};
+  Varying make_varying(std::string name, bool only_points) {
+    const auto source = pick(kVaryingSources);
+    if (source == VaryingSource::kFragCoord) return {.name = std::move(name), .components = 4, .source = source};
+    if (source == VaryingSource::kPointCoord && only_points) {
+      return {.name = std::move(name), .components = 2, .source = source};
+    }
+    Varying varying{std::move(name), 1 + number(kMaxVaryingComponents), pick(kInterpolations)};
+    if (varying.interpolation != Interpolation::kFlat) varying.sampling = pick(kSamplings);
+    return varying;
+  }
+
+  RasterState make_state() {
+    RasterState state{.cull_mode = pick(kCullModes), .front_face = pick(kFrontFaces)};
+    state.viewport = {.x = 1000 * unit() - 500,
+                      .y = -unit(),
+                      .width = 0x1p-20F + 16000 * unit(),
+                      .height = (flip() ? -1.0F : 1.0F) * (0x1p-20F + 16000 * unit()),
+                      .minDepth = unit(),
+                      .maxDepth = unit()};
+    state.scissor = {.offset = {.x = static_cast<int32_t>(number(1U << 30U)), .y = 0},
+                     .extent = {.width = number(1U << 30U), .height = 0x7FFFFFFFU}};
+    state.depth_test = flip();
+    state.depth_write = flip();
+    state.depth_compare = pick(kCompareOps);
+    if (flip())
+      state.depth_bias = DepthBias{.constant_factor = finite(), .slope_factor = finite(), .clamp = finite()};
+    if (flip()) state.depth_bounds = DepthBounds{.min = unit() / 2, .max = 0.5F + unit() / 2};
+    state.depth_clamp = flip();
+    state.depth_clip = flip();
+    state.negative_one_to_one = flip();
+    state.polygon_mode = pick(kPolygonModes);
+    state.line_mode = pick(kLineModes);
+    if (flip()) state.line_width = std::fabs(finite()) + 0x1p-149F;
+    state.provoking_vertex = pick(kProvokingVertices);
+    if (flip()) state.sample_mask = static_cast<uint32_t>(engine_());
+    return state;
+  }
+
+  Draw make_draw(VkPrimitiveTopology topology, uint32_t components) {
+    Draw draw{.topology = topology, .state = make_state()};
     const uint32_t vertices = 1 + number(12);
     for (uint32_t i = 0; i < vertices; ++i) draw.positions.push_back({any(), any(), any(), any()});
     for (uint32_t i = 0; i < vertices * components; ++i) draw.varyings.push_back(any());
-    if (number(2) == 0) {
-      draw.indices.emplace();
-      for (uint32_t i = 1 + number(9); i > 0; --i) draw.indices->push_back(number(vertices));
-    }
+    for (uint32_t i = flip() ? vertices : 0; i > 0; --i) draw.point_sizes.push_back(std::fabs(finite()) + 0x1p-149F);
+    draw.clip_distance_count = number(kMaxClipAndCullDistances + 1);
+    draw.cull_distance_count = number(kMaxClipAndCullDistances + 1 - draw.clip_distance_count);
+    for (uint32_t i = 0; i < vertices * draw.clip_distance_count; ++i) draw.clip_distances.push_back(any());
+    for (uint32_t i = 0; i < vertices * draw.cull_distance_count; ++i) draw.cull_distances.push_back(any());
+    if (flip()) make_indices(vertices, draw);
     return draw;
   }
 
+  void make_indices(uint32_t vertices, Draw& draw) {
+    draw.index_type = pick(kIndexTypes);
+    const bool list = draw.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST ||
+                      draw.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST ||
+                      draw.topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+    draw.primitive_restart = !list && flip();
+    const uint32_t first = number(100);  // the index of vertex 0
+    draw.vertex_offset = -static_cast<int32_t>(first);
+    draw.indices.emplace();
+    for (uint32_t i = 1 + number(9); i > 0; --i) {
+      const bool restarts = draw.primitive_restart && number(4) == 0;
+      draw.indices->push_back(restarts ? restart_index(draw.index_type) : first + number(vertices));
+    }
+  }
+
   uint32_t number(uint32_t below) { return static_cast<uint32_t>(engine_() % below); }
+  bool flip() { return number(2) == 0; }
   float unit() { return static_cast<float>(number(1U << 24U)) * 0x1p-24F; }
   // Any bits, and often the special ones.
   float any() {
@@ -131,6 +213,10 @@ class RandomCase {
                                                 0xFFC00000, 0x7F800001, 0x00000001, 0x807FFFFF, 0x7F7FFFFF};
     return std::bit_cast<float>(number(4) == 0 ? kSpecial[number(kSpecial.size())]
                                                : static_cast<uint32_t>(engine_()));
+  }
+  float finite() {
+    const float value = any();
+    return std::isfinite(value) ? value : 0.0F;
   }
   std::string text() {
     std::string result = "t";
