@@ -17,6 +17,8 @@ inline constexpr VkFormat kOwnerFormat = VK_FORMAT_R32_UINT;
 inline constexpr VkFormat kSlotFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 // Colour attachments before the slots: hits and owner.
 inline constexpr uint32_t kFirstSlotAttachment = 2;
+// Vertex inputs beside the slots: position, point size, distances.
+inline constexpr uint32_t kVertexInputsBesideSlots = 2 + kMaxClipAndCullDistances;
 
 class Device {
  public:

@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "reference/vulkan/features.h"
+
 namespace fillrule::vulkan {
 namespace {
 
@@ -97,6 +99,9 @@ DeviceInfo describe(VkPhysicalDevice device) {
   VkPhysicalDeviceFeatures features;
   vkGetPhysicalDeviceFeatures(device, &features);
 
+  FeatureSet for_cases;
+  if (properties.apiVersion >= VK_API_VERSION_1_3) for_cases = DeviceFeatures(device).for_cases();
+
   const VkPhysicalDeviceLimits& limits = properties.limits;
   const uint32_t max_target_size =
       std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
@@ -109,6 +114,13 @@ DeviceInfo describe(VkPhysicalDevice device) {
           .max_target_size = max_target_size,
           .max_viewport_size = {limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]},
           .viewport_bounds = {limits.viewportBoundsRange[0], limits.viewportBoundsRange[1]},
+          .line_widths = {.min = limits.lineWidthRange[0],
+                          .max = limits.lineWidthRange[1],
+                          .step = limits.lineWidthGranularity},
+          .point_sizes = {.min = limits.pointSizeRange[0],
+                          .max = limits.pointSizeRange[1],
+                          .step = limits.pointSizeGranularity},
+          .features = for_cases,
           .has_primitive_id = features.geometryShader == VK_TRUE};
 }
 

@@ -106,44 +106,69 @@ void begin_rendering(VkCommandBuffer commands, const Pass& pass, float clear_dep
   vkCmdBeginRendering(commands, &info);
 }
 
-void set_state(VkCommandBuffer commands, const UploadedDraw& draw) {
-  const RasterState& state = *draw.state;
+void set_depth_state(VkCommandBuffer commands, const RasterState& state) {
+  vkCmdSetDepthTestEnable(commands, state.depth_test ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthWriteEnable(commands, state.depth_write ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthCompareOp(commands, state.depth_compare);
+  const DepthBias bias = state.depth_bias.value_or(DepthBias{});
+  vkCmdSetDepthBiasEnable(commands, state.depth_bias ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthBias(commands, bias.constant_factor, bias.clamp, bias.slope_factor);
+  const DepthBounds bounds = state.depth_bounds.value_or(DepthBounds{});
+  vkCmdSetDepthBoundsTestEnable(commands, state.depth_bounds ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthBounds(commands, bounds.min, bounds.max);
+}
+
+void set_state(VkCommandBuffer commands, const UploadedDraw& uploaded) {
+  const RasterState& state = uploaded.draw->state;
   vkCmdSetViewport(commands, 0, 1, &state.viewport);
   vkCmdSetScissor(commands, 0, 1, &state.scissor);
   vkCmdSetCullMode(commands, state.cull_mode);
   vkCmdSetFrontFace(commands, state.front_face);
-  vkCmdSetPrimitiveTopology(commands, draw.topology);
-  vkCmdSetDepthTestEnable(commands, state.depth_test ? VK_TRUE : VK_FALSE);
-  vkCmdSetDepthWriteEnable(commands, state.depth_write ? VK_TRUE : VK_FALSE);
-  vkCmdSetDepthCompareOp(commands, state.depth_compare);
+  vkCmdSetPrimitiveTopology(commands, uploaded.topology);
+  const bool restarts = uploaded.indexed && uploaded.draw->primitive_restart;
+  vkCmdSetPrimitiveRestartEnable(commands, restarts ? VK_TRUE : VK_FALSE);
+  vkCmdSetLineWidth(commands, uploaded.draws_lines ? state.line_width : 1.0F);
+  set_depth_state(commands, state);
 }
 
-void record_draw(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const UploadedDraw& draw,
-                 const SlotRange& slots, uint32_t case_slots) {
-  set_state(commands, draw);
-  const std::array buffers = {upload, upload};
-  const std::array<VkDeviceSize, 2> offsets = {draw.positions_offset,
-                                               draw.slots_offset + VkDeviceSize{slots.first} * kVec4Bytes};
-  const std::array<VkDeviceSize, 2> strides = {kVec4Bytes, VkDeviceSize{case_slots} * kVec4Bytes};
-  const uint32_t bindings = slots.counts.total() > 0 ? 2 : 1;
-  vkCmdBindVertexBuffers2(commands, kPositionBinding, bindings, buffers.data(), offsets.data(), nullptr,
+void bind_vertices(VkCommandBuffer commands, VkBuffer upload, const UploadedDraw& uploaded, const SlotRange& slots,
+                   uint32_t vertex_slots) {
+  const std::array buffers = {upload, upload, upload};
+  // Bindings that the pipeline does not read begin with the positions, since an offset must lie in the buffer.
+  std::array<VkDeviceSize, kBindings> offsets{};
+  offsets.fill(uploaded.positions_offset);
+  if (slots.counts.interpolated() > 0) {
+    offsets[kSlotBinding] = uploaded.slots_offset + VkDeviceSize{slots.first} * kVec4Bytes;
+  }
+  if (uploaded.extras > 0) offsets[kExtraBinding] = uploaded.extras_offset;
+  const std::array<VkDeviceSize, kBindings> strides = {kVec4Bytes, VkDeviceSize{vertex_slots} * kVec4Bytes,
+                                                       VkDeviceSize{uploaded.extras} * sizeof(float)};
+  vkCmdBindVertexBuffers2(commands, kPositionBinding, kBindings, buffers.data(), offsets.data(), nullptr,
                           strides.data());
+}
+
+void record_draw(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const UploadedDraw& uploaded) {
   vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                     sizeof(Numbering), &draw.numbering);
-  if (draw.indexed) {
-    vkCmdBindIndexBuffer(commands, upload, draw.indices_offset, VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(commands, draw.elements, 1, 0, 0, 0);
+                     sizeof(Numbering), &uploaded.numbering);
+  if (uploaded.indexed) {
+    vkCmdBindIndexBuffer(commands, upload, uploaded.indices_offset, uploaded.draw->index_type);
+    vkCmdDrawIndexed(commands, uploaded.run.count, 1, uploaded.run.first, uploaded.draw->vertex_offset, 0);
   } else {
-    vkCmdDraw(commands, draw.elements, 1, 0, 0);
+    vkCmdDraw(commands, uploaded.run.count, 1, uploaded.run.first, 0);
   }
 }
 
 void record_pass(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const CaseJob& job,
                  const Pass& pass) {
   begin_rendering(commands, pass, job.drawn->target.clear_depth);
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipeline);
-  for (const UploadedDraw& draw : job.draws) {
-    record_draw(commands, layout, upload, draw, pass.slots, job.needs.packing.counts.total());
+  VkPipeline bound = VK_NULL_HANDLE;
+  for (const UploadedDraw& uploaded : job.draws) {
+    VkPipeline pipeline = pass.pipelines[uploaded.index];
+    if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    bound = pipeline;
+    set_state(commands, uploaded);
+    bind_vertices(commands, upload, uploaded, pass.slots, job.needs.packing.counts.interpolated());
+    record_draw(commands, layout, upload, uploaded);
   }
   vkCmdEndRendering(commands);
 }

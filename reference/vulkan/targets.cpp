@@ -11,16 +11,11 @@ namespace {
 constexpr uint32_t kScalarBytes = 4;
 constexpr uint32_t kSlotBytes = 16;
 
-VkImageUsageFlags usage_of(VkFormat format) {
-  const bool is_depth = format == VK_FORMAT_D32_SFLOAT;
-  return VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-         (is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-}
-
 Result<void> check_image(const Device& device, const TargetKey& key, VkFormat format, uint32_t bytes_per_pixel) {
   VkImageFormatProperties properties{};
-  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-      device.physical(), format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage_of(format), 0, &properties);
+  const VkResult result =
+      vkGetPhysicalDeviceImageFormatProperties(device.physical(), format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
+                                               attachment_usage(format, key.samples), 0, &properties);
   if (result != VK_SUCCESS) return failed_call("vkGetPhysicalDeviceImageFormatProperties", result);
   const uint64_t bytes = uint64_t{key.width} * key.height * bytes_per_pixel;
   if (key.width > properties.maxExtent.width || key.height > properties.maxExtent.height ||
@@ -35,9 +30,15 @@ Result<void> check_image(const Device& device, const TargetKey& key, VkFormat fo
 
 }  // namespace
 
+VkImageUsageFlags attachment_usage(VkFormat format, VkSampleCountFlagBits samples) {
+  const bool is_color = format == kHitsFormat || format == kOwnerFormat || format == kSlotFormat;
+  return (is_color ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT : VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) |
+         (samples == VK_SAMPLE_COUNT_1_BIT ? VK_IMAGE_USAGE_TRANSFER_SRC_BIT : VK_IMAGE_USAGE_SAMPLED_BIT);
+}
+
 uint64_t estimated_bytes(const TargetKey& key) {
   const uint64_t scalars = key.depth_format == VK_FORMAT_UNDEFINED ? 2 : 3;
-  return uint64_t{key.width} * key.height * (scalars * kScalarBytes + uint64_t{key.slots} * kSlotBytes);
+  return uint64_t{key.width} * key.height * key.samples * (scalars * kScalarBytes + uint64_t{key.slots} * kSlotBytes);
 }
 
 Result<TargetSet> TargetSet::create(const Device& device, const TargetKey& key) {
@@ -62,7 +63,7 @@ Result<void> TargetSet::add_image(const Device& device, VkFormat format, uint32_
                                .arrayLayers = 1,
                                .samples = key_.samples,
                                .tiling = VK_IMAGE_TILING_OPTIMAL,
-                               .usage = usage_of(format)};
+                               .usage = attachment_usage(format, key_.samples)};
   VkImage image = VK_NULL_HANDLE;
   const VkResult result = vkCreateImage(device.get(), &info, nullptr, &image);
   if (result != VK_SUCCESS) return failed_call("vkCreateImage", result);

@@ -51,6 +51,9 @@ class TargetSet {
   uint64_t bytes_ = 0;
 };
 
+// What an attachment is for: to be drawn to, and to be copied or, with several samples, read by a shader.
+VkImageUsageFlags attachment_usage(VkFormat format, VkSampleCountFlagBits samples);
+
 // What the images of `key` take, alignment aside.
 uint64_t estimated_bytes(const TargetKey& key);
 
