@@ -74,6 +74,45 @@ TEST(DrawCase, OwnersCountOverAllDrawsWithIndices) {
   EXPECT_THAT(planes->owner, ::testing::Each(2));
 }
 
+// The window's x as a varying of each kind: where it was evaluated.
+TEST(DrawCase, EveryKindOfSamplingWritesAllSamplesOfItsFragment) {
+  Case drawn_case = two_draws();
+  drawn_case.draws.pop_back();
+  drawn_case.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  Draw& draw = drawn_case.draws[0];
+  draw.state.sample_mask = 0xD;
+  drawn_case.varyings = {{"centre", 1, Interpolation::kNoperspective},
+                         {"centroid", 1, Interpolation::kNoperspective, Sampling::kCentroid}};
+  draw.positions = {{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 0.5F, 1}};
+  draw.varyings = {0, 0, 16, 16, 0, 0};
+  Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  const auto of_pixel = [](const auto& plane, size_t pixel) {
+    return std::vector(plane.begin() + static_cast<ptrdiff_t>(4 * pixel),
+                       plane.begin() + static_cast<ptrdiff_t>(4 * pixel + 4));
+  };
+  using ::testing::ElementsAre;
+  EXPECT_THAT(of_pixel(planes->hits, 2), ElementsAre(1, 0, 1, 1));
+  EXPECT_THAT(of_pixel(planes->owner, 2), ElementsAre(0, kNoOwner, 0, 0));
+  EXPECT_THAT(of_pixel(planes->depth, 2), ElementsAre(0.5F, 1, 0.5F, 0.5F));
+  EXPECT_THAT(of_pixel(planes->varyings[0], 2), ElementsAre(2.5F, 0, 2.5F, 2.5F));
+  EXPECT_THAT(of_pixel(planes->varyings[1], 2), ElementsAre(2.5F, 0, 2.5F, 2.5F));
+  // Only the second and fourth sample of each pixel of the first column.
+  draw.positions[0][0] = -1 + 0.5F / 4;
+  draw.positions[2] = {-1 + 0.5F / 4, 1023, 0.5F, 1};
+  draw.varyings = {0.5F, 0.5F, 16, 16, 0.5F, 0.5F};
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_THAT(of_pixel(planes->hits, 0), ElementsAre(0, 0, 0, 1));
+  EXPECT_NEAR(planes->varyings[0][3], 0.5, 1e-5);
+  EXPECT_NEAR(planes->varyings[1][3], 0.875, 1e-5);
+  drawn_case.varyings[1].sampling = Sampling::kSample;
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_NEAR(planes->varyings[1][3], 0.625, 1e-5);
+  EXPECT_NEAR(planes->varyings[1][4 * 2 + 2], 2.125, 1e-5);
+}
+
 TEST(DrawCase, RefusesWhatItCannotDraw) {
   const auto error_of = [](const auto& change) {
     Case drawn_case = two_draws();
@@ -82,7 +121,7 @@ TEST(DrawCase, RefusesWhatItCannotDraw) {
     return planes ? std::string() : planes.error().what;
   };
   using ::testing::HasSubstr;
-  EXPECT_THAT(error_of([](Case& c) { c.target.samples = VK_SAMPLE_COUNT_4_BIT; }), HasSubstr("4 samples"));
+  EXPECT_THAT(error_of([](Case& c) { c.target.samples = VK_SAMPLE_COUNT_64_BIT; }), HasSubstr("64 samples"));
   EXPECT_THAT(error_of([](Case& c) { c.target.depth_format = VK_FORMAT_D16_UNORM; }), HasSubstr("depth format"));
   EXPECT_THAT(error_of([](Case& c) { c.target.width = 0; }), HasSubstr("0 x 8"));
   EXPECT_THAT(error_of([](Case& c) { c.draws[1].varyings.pop_back(); }), HasSubstr("11 values"));
