@@ -9,7 +9,7 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
                  PrimitiveChunk& chunk) {
   chunk.clear();
   for (uint32_t primitive = first; primitive < end; ++primitive) {
-    const auto [a, b, c] = triangle_vertices(draw.input.topology, draw.input.indices, primitive);
+    const auto [a, b, c] = draw.assembly.triangle(primitive);
     const auto triangle =
         setup_triangle(draw.setup, primitive, {positions_clip[a], positions_clip[b], positions_clip[c]},
                        {window_vertices[a], window_vertices[b], window_vertices[c]}, chunk.polygon_vertices());

@@ -31,7 +31,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
     return tl::unexpected(prepared.error());
   }
   const bool has_samples = (input.state.sample_mask & ((1U << input.samples) - 1)) != 0;
-  if (prepared->setup.clip_pixels.empty() || !has_samples || prepared->primitive_count == 0) {
+  if (prepared->setup.clip_pixels.empty() || !has_samples || prepared->assembly.count() == 0) {
     return {};
   }
   WorkerPool workers(options.threads);
@@ -39,11 +39,11 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   // Step 1: the vertices.
   constexpr uint32_t kVerticesAtOnce = 4096;
   constexpr size_t kCostOfVertex = 10;
-  std::vector<ClipPosition> positions_clip(input.vertex_count);
-  std::vector<WindowVertex> window_vertices(input.vertex_count);
-  const size_t vertex_runs = (size_t{input.vertex_count} + kVerticesAtOnce - 1) / kVerticesAtOnce;
-  workers.parallel_for(vertex_runs, kCostOfVertex * input.vertex_count, [&](size_t run) {
-    const size_t end = std::min<size_t>((run + 1) * kVerticesAtOnce, input.vertex_count);
+  std::vector<ClipPosition> positions_clip(input.vertices.vertex_count);
+  std::vector<WindowVertex> window_vertices(input.vertices.vertex_count);
+  const size_t vertex_runs = (size_t{input.vertices.vertex_count} + kVerticesAtOnce - 1) / kVerticesAtOnce;
+  workers.parallel_for(vertex_runs, kCostOfVertex * input.vertices.vertex_count, [&](size_t run) {
+    const size_t end = std::min<size_t>((run + 1) * kVerticesAtOnce, input.vertices.vertex_count);
     for (size_t vertex = run * kVerticesAtOnce; vertex < end; ++vertex) {
       positions_clip[vertex] = program.position(static_cast<uint32_t>(vertex));
       window_vertices[vertex] = prepared->setup.transform.window_vertex(positions_clip[vertex]);
@@ -55,7 +55,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   constexpr uint32_t kChunksInBatch = 16;
   constexpr size_t kCostOfSetup = 30;
   const TileGrid grid(prepared->setup.clip_pixels);
-  const uint32_t primitives = prepared->primitive_count;
+  const uint32_t primitives = prepared->assembly.count();
   const uint32_t all_chunks = (primitives - 1) / kPrimitivesInChunk + 1;
   std::vector<PrimitiveChunk> chunks(std::min(all_chunks, kChunksInBatch));
   for (uint32_t first_chunk = 0; first_chunk < all_chunks; first_chunk += kChunksInBatch) {

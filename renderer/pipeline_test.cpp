@@ -175,8 +175,8 @@ TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
   const auto anchor_of = [](const VkRect2D& scissor, uint32_t size) {
     TestScene scene = everything(64, 64);
     scene.state.scissor = scissor;
-    const Result<PreparedDraw> prepared =
-        prepare_draw({.target_width = size, .target_height = size, .state = scene.state, .vertex_count = 3}, {});
+    const Result<PreparedDraw> prepared = prepare_draw(
+        {.target_width = size, .target_height = size, .vertices = {.vertex_count = 3}, .state = scene.state}, {});
     EXPECT_TRUE(prepared);
     const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
     const PrimitiveInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);

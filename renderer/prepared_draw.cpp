@@ -34,22 +34,15 @@ Result<void> check_viewport(const VkViewport& viewport) {
   return {};
 }
 
-Result<void> check_vertices(const DrawInput& input) {
-  switch (input.topology) {
+Result<void> check_topology(VkPrimitiveTopology topology) {
+  switch (topology) {
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST:
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP:
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN:
-      break;
+      return {};
     default:
-      return failure(fmt::format("topology {}", static_cast<int>(input.topology)), "triangle list, strip or fan");
+      return failure(fmt::format("topology {}", static_cast<int>(topology)), "triangle list, strip or fan");
   }
-  if (input.indices) {
-    const auto last = std::max_element(input.indices->begin(), input.indices->end());
-    if (last != input.indices->end() && *last >= input.vertex_count) {
-      return failure(fmt::format("index {} in a draw of {} vertices", *last, input.vertex_count));
-    }
-  }
-  return {};
 }
 
 Result<void> check(const DrawInput& input, const Options& options) {
@@ -70,7 +63,9 @@ Result<void> check(const DrawInput& input, const Options& options) {
     return failure(fmt::format("a depth buffer of {} values for a target of {} x {} pixels of {} samples",
                                depth_values, input.target_width, input.target_height, input.samples));
   }
-  return check_viewport(input.state.viewport).and_then([&] { return check_vertices(input); });
+  return check_viewport(input.state.viewport)
+      .and_then([&] { return check_topology(input.vertices.topology); })
+      .and_then([&] { return check_indices(input.vertices); });
 }
 
 // The scissor's part of the target; its end may be beyond 2^31.
@@ -113,11 +108,10 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
   }
   const RasterState& state = input.state;
   const WindowTransform transform(state.viewport, options.subpixel_bits);
-  const uint32_t elements = input.indices ? static_cast<uint32_t>(input.indices->size()) : input.vertex_count;
   PreparedDraw prepared{
       .input = input,
       .subpixel_bits = options.subpixel_bits,
-      .primitive_count = triangle_count(input.topology, elements),
+      .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
       .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),
       .setup = {.transform = transform, .cull_mode = state.cull_mode, .front_face = state.front_face}};
   // Without a depth attachment the depth test passes (Vulkan, "Depth Test").

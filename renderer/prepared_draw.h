@@ -26,10 +26,8 @@ struct DrawInput {
   uint32_t target_height = 0;
   uint32_t samples = 1;         // of a pixel: 1, 2, 4, 8 or 16
   bool sample_shading = false;  // the fragment program runs for each sample, not for each pixel
-  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  VertexStream vertices;
   RasterState state;
-  uint32_t vertex_count = 0;
-  Indices indices;  // absent: vertices are used in their order
   DepthBuffer depth;
 };
 
@@ -37,7 +35,7 @@ struct DrawInput {
 struct PreparedDraw {
   DrawInput input;
   uint32_t subpixel_bits;
-  uint32_t primitive_count;
+  PrimitiveAssembly assembly;
   PixelRect viewport_pixels;  // by their centres
   SetupState setup;
   std::span<const SampleLocation> sample_locations;

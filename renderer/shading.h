@@ -158,8 +158,7 @@ void shade_tile(const PreparedDraw& draw, const P& program, const std::vector<Cl
       if (coverage.count == 0) {
         return;
       }
-      const std::array<uint32_t, 3> vertices =
-          triangle_vertices(draw.input.topology, draw.input.indices, primitive.primitive);
+      const std::array<uint32_t, 3> vertices = draw.assembly.triangle(primitive.primitive);
       const PrimitiveInterpolation interpolation = make_interpolation(draw, vertices, positions_clip, outline);
       const typename P::PrimitiveData data = program.primitive_data(
           {.primitive = primitive.primitive, .vertices = vertices, .front_facing = primitive.front_facing});

@@ -110,10 +110,10 @@ inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, cons
                .target_height = scene.height,
                .samples = scene.samples,
                .sample_shading = scene.sample_shading,
-               .topology = scene.topology,
+               .vertices = {.topology = scene.topology,
+                            .vertex_count = static_cast<uint32_t>(scene.positions.size()),
+                            .indices = scene.indices ? Indices(*scene.indices) : std::nullopt},
                .state = scene.state,
-               .vertex_count = static_cast<uint32_t>(scene.positions.size()),
-               .indices = scene.indices ? Indices(*scene.indices) : std::nullopt,
                .depth = {planes.depth}},
               RecordingProgram(scene, planes), options);
 }

@@ -45,11 +45,11 @@ Result<void> draw_with_renderer(const HitDraw& draw, uint32_t subpixel_bits, std
   const renderer::DrawInput input{
       .target_width = draw.target_size,
       .target_height = draw.target_size,
+      .vertices = {.vertex_count = static_cast<uint32_t>(draw.positions_clip.size())},
       .state = {.viewport = {.width = size, .height = size, .maxDepth = 1.0F},
                 .scissor = {.extent = {draw.target_size, draw.target_size}},
                 .cull_mode = draw.cull_mode,
                 .front_face = VK_FRONT_FACE_COUNTER_CLOCKWISE},
-      .vertex_count = static_cast<uint32_t>(draw.positions_clip.size()),
   };
   return renderer::draw(input, HitProgram(draw, hits), {.subpixel_bits = subpixel_bits, .threads = 1});
 }

@@ -58,7 +58,8 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
 
 FeatureSet renderer_features() {
   FeatureSet features;
-  for (const Feature feature : {Feature::kSamples2, Feature::kSamples4, Feature::kSamples8, Feature::kSamples16,
+  for (const Feature feature : {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast,
+                                Feature::kSamples2, Feature::kSamples4, Feature::kSamples8, Feature::kSamples16,
                                 Feature::kSampleMask, Feature::kCentroid, Feature::kSampleShading}) {
     features.add(feature);
   }
@@ -84,16 +85,19 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
                                           [](const Varying& one) { return one.sampling == Sampling::kSample; });
   uint32_t first_primitive = 0;
   for (const Draw& draw : drawn_case.draws) {
+    const std::vector<ElementRun> runs = element_runs(draw);
     const VaryingsProgram program(drawn_case.varyings, draw, first_primitive, planes);
     const renderer::DrawInput input{
         .target_width = target.width,
         .target_height = target.height,
         .samples = samples,
         .sample_shading = sample_shading,
-        .topology = draw.topology,
+        .vertices = {.topology = draw.topology,
+                     .vertex_count = static_cast<uint32_t>(draw.positions.size()),
+                     .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
+                     .vertex_offset = draw.vertex_offset,
+                     .runs = runs},
         .state = draw.state,
-        .vertex_count = static_cast<uint32_t>(draw.positions.size()),
-        .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
         .depth = {planes.depth},
     };
     if (const Result<void> drawn = renderer::draw(input, program, options); !drawn) {

@@ -74,6 +74,40 @@ TEST(DrawCase, OwnersCountOverAllDrawsWithIndices) {
   EXPECT_THAT(planes->owner, ::testing::Each(2));
 }
 
+// The first draw is a strip of a left and, after a restart, a right half of the target; only the offset finds its
+// vertices.
+TEST(DrawCase, RestartOffsetAndProvokingVertex) {
+  Case drawn_case = two_draws();
+  drawn_case.varyings = {{"id", 1, Interpolation::kFlat}};
+  Draw& draw = drawn_case.draws[0];
+  draw.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+  draw.positions = {{0, 0, 0, 1},    {-1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}, {0, -1, 0.5F, 1},
+                    {0, 1, 0.5F, 1}, {1, -1, 0.5F, 1},  {1, 1, 0.5F, 1}};
+  draw.varyings = {0, 1, 2, 3, 4, 5, 6};
+  draw.indices = {{0, 1, 2, 3, 0xFF, 2, 3, 4, 5}};
+  draw.index_type = VK_INDEX_TYPE_UINT8_EXT;
+  draw.primitive_restart = true;
+  draw.vertex_offset = 1;
+  drawn_case.draws[1].varyings = {0, 0, 0};
+  drawn_case.draws[1].state.depth_compare = VK_COMPARE_OP_NEVER;
+  const auto ids = [&](VkProvokingVertexModeEXT mode) {
+    draw.state.provoking_vertex = mode;
+    const Result<Planes> planes = draw_case(drawn_case, {});
+    EXPECT_TRUE(planes) << to_string(planes.error());
+    EXPECT_THAT(planes->hits, ::testing::Each(1));
+    EXPECT_THAT(planes->front_facing, ::testing::Each(1));
+    // A pixel of each of the four triangles.
+    const std::array<size_t, 4> pixels{2 * 8 + 1, 5 * 8 + 3, 2 * 8 + 4, 5 * 8 + 7};
+    for (uint32_t primitive = 0; primitive < 4; ++primitive) {
+      EXPECT_EQ(planes->owner[pixels[primitive]], primitive);
+    }
+    return std::vector<float>{planes->varyings[0][pixels[0]], planes->varyings[0][pixels[1]],
+                              planes->varyings[0][pixels[2]], planes->varyings[0][pixels[3]]};
+  };
+  EXPECT_THAT(ids(VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT), ::testing::ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(ids(VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT), ::testing::ElementsAre(3, 4, 5, 6));
+}
+
 // The window's x as a varying of each kind: where it was evaluated.
 TEST(DrawCase, EveryKindOfSamplingWritesAllSamplesOfItsFragment) {
   Case drawn_case = two_draws();
