@@ -175,11 +175,11 @@ TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
   const auto anchor_of = [](const VkRect2D& scissor, uint32_t size) {
     TestScene scene = everything(64, 64);
     scene.state.scissor = scissor;
-    const Result<PreparedDraw> prepared =
-        prepare_draw({.target_width = size, .target_height = size, .state = scene.state, .vertex_count = 3}, {});
+    const Result<PreparedDraw> prepared = prepare_draw(
+        {.target_width = size, .target_height = size, .vertices = {.vertex_count = 3}, .state = scene.state}, {});
     EXPECT_TRUE(prepared);
     const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
-    const TriangleInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);
+    const PrimitiveInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);
     return std::pair(interpolation.anchor_x, interpolation.anchor_y);
   };
   const auto whole = anchor_of({{0, 0}, {64, 64}}, 64);

@@ -70,14 +70,15 @@ FixedPosition WindowTransform::project(const HomogeneousPosition<double>& pos_cl
           snap(pos_clip.y / pos_clip.w * double{half_height_} + double{centre_y_}, subpixel_bits_)};
 }
 
-PixelRect WindowTransform::viewport_pixels() const {
+PixelRect WindowTransform::viewport_pixels(const FixedPosition& sample_fixed) const {
   const FixedPosition low = project_inside({-1, -1, 0, 1});
   const FixedPosition high = project_inside({1, 1, 0, 1});
   // A negative height turns top and bottom round.
-  return {first_pixel(std::min(low.x_fixed, high.x_fixed), subpixel_bits_),
-          first_pixel(std::min(low.y_fixed, high.y_fixed), subpixel_bits_),
-          first_pixel(std::max(low.x_fixed, high.x_fixed), subpixel_bits_),
-          first_pixel(std::max(low.y_fixed, high.y_fixed), subpixel_bits_)};
+  const auto [y_min, y_max] = std::minmax(low.y_fixed, high.y_fixed);
+  return {first_pixel(low.x_fixed, sample_fixed.x_fixed, subpixel_bits_),
+          first_pixel(y_min, sample_fixed.y_fixed, subpixel_bits_),
+          first_pixel(high.x_fixed, sample_fixed.x_fixed, subpixel_bits_),
+          first_pixel(y_max, sample_fixed.y_fixed, subpixel_bits_)};
 }
 
 }  // namespace fillrule::renderer

@@ -54,9 +54,9 @@ class WindowTransform {
   template <typename Real>
   void put_on(ClipPlane plane, HomogeneousPosition<Real>& pos_clip) const;
 
-  // The pixels whose centres the viewport holds. Its corners are snapped like a vertex at NDC -1 or 1, hence the
-  // result equals clipping a polygon to the snapped viewport by the top-left rule.
-  [[nodiscard]] PixelRect viewport_pixels() const;
+  // The pixels whose sample at `sample_fixed` the viewport holds. Its corners are snapped like a vertex at NDC -1 or
+  // 1, hence the result equals clipping a polygon to the snapped viewport by the top-left rule.
+  [[nodiscard]] PixelRect viewport_pixels(const FixedPosition& sample_fixed) const;
 
   [[nodiscard]] uint32_t subpixel_bits() const { return subpixel_bits_; }
 
