@@ -43,9 +43,12 @@ TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {
   // Drawn one by one, in order.
   TestPlanes one_by_one = cleared_planes(scene);
   TestScene single = scene;
-  for (uint32_t i = 0; i < 6000; ++i) {
-    single.positions.assign(scene.positions.begin() + 3 * i, scene.positions.begin() + 3 * i + 3);
-    single.values.assign(scene.values.begin() + 3 * i, scene.values.begin() + 3 * i + 3);
+  constexpr uint32_t kDrawnOneByOne = 301;
+  constexpr size_t kVertices = 3;
+  for (uint32_t i = 0; i < kDrawnOneByOne; ++i) {
+    const auto first_vertex = static_cast<std::ptrdiff_t>(i * kVertices);
+    single.positions.assign(scene.positions.begin() + first_vertex, scene.positions.begin() + first_vertex + 3);
+    single.values.assign(scene.values.begin() + first_vertex, scene.values.begin() + first_vertex + 3);
     const TestPlanes before = one_by_one;
     ASSERT_TRUE(render_into(single, one_by_one));
     for (size_t pixel = 0; pixel < before.hits.size(); ++pixel) {
@@ -53,13 +56,10 @@ TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {
         one_by_one.owner[pixel] = i;
       }
     }
-    if (i == 300) {
-      break;
-    }
   }
   TestScene first = scene;
-  first.positions.resize(301 * 3);
-  first.values.resize(301 * 3);
+  first.positions.resize(kDrawnOneByOne * kVertices);
+  first.values.resize(kDrawnOneByOne * kVertices);
   EXPECT_TRUE(same_bytes(render(first), one_by_one));
   EXPECT_EQ(all.hits.size(), one_by_one.hits.size());
 }
