@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "cases/model/temporary_folder.h"
 #include "harness/report/picture.h"
 
 namespace fillrule::report {
@@ -14,10 +15,8 @@ namespace {
 
 class PicturesTest : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove_all(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string folder_ = testing::TempDir() + "fillrule_pictures";
+  const TemporaryFolder temporary_;
+  const std::string folder_ = temporary_.path("made/on/demand");
   Case case_{.name = "a/b[x=1]", .target = {.width = 4, .height = 2}, .varyings = {{.name = "uv", .components = 2}}};
 };
 
