@@ -92,10 +92,6 @@ Verdict combine(const Standing& candidate, const Standing* reference, bool equal
   return reference == nullptr && candidate.level == Class::kExact ? Verdict::kIdentical : Verdict::kPermitted;
 }
 
-bool graver(const SampleRecord& a, const SampleRecord& b) {
-  return a.verdict > b.verdict || (a.verdict == b.verdict && a.severity > b.severity);
-}
-
 void record(PlaneVerdict& plane, const SampleRecord& sample) {
   // The box and the first sample belong to the gravest class met.
   if (!plane.first || sample.verdict > plane.first->verdict) {

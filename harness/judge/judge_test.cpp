@@ -309,6 +309,9 @@ TEST(Judge, ReportsTheBoxTheFirstAndTheWorstSample) {
   EXPECT_EQ(depth.first->y, 3U);
   EXPECT_EQ(depth.worst->x, 3U);
   EXPECT_EQ(depth.worst->y, 6U);
+  EXPECT_EQ(verdict.worst()->x, 3U);
+  EXPECT_EQ(verdict.worst()->y, 6U);
+  EXPECT_FALSE(judge_pair(test_case, right, right).worst());
   EXPECT_EQ(depth.bounds->min_x, 3U);
   EXPECT_EQ(depth.bounds->min_y, 3U);
   EXPECT_EQ(depth.bounds->max_x, 4U);

@@ -23,9 +23,12 @@ struct CaseResult {
   std::string name;
   std::string file;
   Status status = Status::kPassed;
-  std::string message;       // why a case was skipped, or failed without a verdict
-  std::string show_command;  // that shows the case again, with the same parties
-  double seconds = 0;        // the candidate's drawing and the judging; the reference draws in batches
+  std::string message;  // why a case was skipped, or failed without a verdict
+  // Commands that show the case again, and explain its worst sample, with the same parties; empty where there are
+  // none.
+  std::string show_command;
+  std::string explain_command;
+  double seconds = 0;  // the candidate's drawing and the judging; the reference draws in batches
   judge::CaseVerdict verdict;
   std::vector<judge::CheckResult> checks;  // empty where they were not asked for
 };
