@@ -33,11 +33,45 @@ TEST(DepthPasses, AllEightOperations) {
   }
 }
 
-TEST(DepthD32, IsClampedAndNeverNegativeZero) {
-  EXPECT_EQ(depth_d32(-0.25), 0.0F);
-  EXPECT_FALSE(std::signbit(depth_d32(-0.0)));
-  EXPECT_EQ(depth_d32(1.25), 1.0F);
-  EXPECT_EQ(depth_d32(0.1), 0.1F);
+float attachment_depth(const RasterState& state, double depth, VkFormat format = VK_FORMAT_D32_SFLOAT) {
+  return DepthStage(state, {.values = {}, .format = format}).attachment_depth(depth);
+}
+
+TEST(AttachmentDepth, IsClampedAndNeverNegativeZero) {
+  RasterState state;
+  state.viewport = {.minDepth = 0.75F, .maxDepth = 0.25F};
+  EXPECT_EQ(attachment_depth(state, -0.25), 0.0F);
+  EXPECT_FALSE(std::signbit(attachment_depth(state, -0.0)));
+  EXPECT_EQ(attachment_depth(state, 1.25), 1.0F);
+  EXPECT_EQ(attachment_depth(state, 0.1), 0.1F);
+  state.depth_clamp = true;  // to the viewport's range, whichever end is the greater
+  EXPECT_EQ(attachment_depth(state, 0.1), 0.25F);
+  EXPECT_EQ(attachment_depth(state, 0.9), 0.75F);
+  EXPECT_EQ(attachment_depth(state, 0.6), 0.6F);
+}
+
+TEST(AttachmentDepth, FixedPointRoundsTheFloat32ProductToEven) {
+  const RasterState state;
+  const auto code16 = [&](double depth) {
+    return std::lround(double{attachment_depth(state, depth, VK_FORMAT_D16_UNORM)} * 65535);
+  };
+  EXPECT_EQ(code16(0), 0);
+  EXPECT_EQ(code16(1), 65535);
+  EXPECT_EQ(code16(0.5), 32768);  // 32767.5: a tie
+  EXPECT_EQ(code16(0x1.000002p-17), 0);
+  EXPECT_EQ(code16(0.6 / 65535), 1);
+  EXPECT_EQ(code16(0.3), 19660);  // 19660.5008 exactly; in float32 a tie
+  EXPECT_EQ(attachment_depth(state, 0.75, VK_FORMAT_X8_D24_UNORM_PACK32), static_cast<float>(12582911 / 16777215.0));
+}
+
+// So that comparing the floats is comparing the codes.
+TEST(AttachmentDepth, DifferentCodesOf24BitsHaveDifferentFloats) {
+  float previous = -1;
+  for (uint32_t code = 0; code < 1U << 24U; ++code) {
+    const auto depth = static_cast<float>(code / 16777215.0);
+    ASSERT_GT(depth, previous) << code;
+    previous = depth;
+  }
 }
 
 constexpr size_t kQuadPixels = size_t{32} * 32;
@@ -122,6 +156,42 @@ TEST(DepthTest, TheNearestOfManyWins) {
   EXPECT_EQ(planes.owner, std::vector<uint32_t>(256, 1));
   EXPECT_EQ(planes.hits, std::vector<uint32_t>(256, 2));
   EXPECT_EQ(planes.depth, std::vector<float>(256, 0.4F));
+}
+
+// Two depths that are one code: the second is equal, not less.
+TEST(DepthTest, ComparesAfterQuantizing) {
+  TestScene scene = full_quad(0.5000001);
+  scene.depth_format = VK_FORMAT_D16_UNORM;
+  TestPlanes planes = render(scene);
+  for (ClipPosition& position : scene.positions) {
+    position[2] = 0.5F;
+  }
+  scene.state.depth_compare = VK_COMPARE_OP_LESS;
+  ASSERT_TRUE(render_into(scene, planes));
+  EXPECT_EQ(count_of(planes.hits, 1), kQuadPixels);
+  scene.state.depth_compare = VK_COMPARE_OP_EQUAL;
+  ASSERT_TRUE(render_into(scene, planes));
+  EXPECT_EQ(count_of(planes.hits, 2), kQuadPixels);
+}
+
+TEST(DepthBoundsTest, IsAboutTheStoredDepthEndsIncluded) {
+  for (const bool depth_test : {false, true}) {
+    TestScene scene = full_quad(0.25);
+    scene.state.depth_test = depth_test;
+    scene.clear_depth = 0.5F;
+    const auto lands = [&](float min, float max) {
+      scene.state.depth_bounds = DepthBounds{min, max};
+      return count_of(render(scene).hits, 1) == kQuadPixels;
+    };
+    EXPECT_TRUE(lands(0.5F, 0.75F));
+    EXPECT_TRUE(lands(0.375F, 0.5F));
+    EXPECT_FALSE(lands(0.125F, 0.375F));
+    EXPECT_FALSE(lands(0.625F, 0.75F));
+    TestPlanes planes = cleared_planes(scene);
+    planes.depth.clear();
+    ASSERT_TRUE(render_into(scene, planes));
+    EXPECT_EQ(count_of(planes.hits, 1), kQuadPixels) << "without a depth buffer the test passes";
+  }
 }
 
 }  // namespace

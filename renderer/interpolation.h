@@ -20,7 +20,6 @@
 #include <limits>
 
 #include "cases/model/case.h"
-#include "renderer/depth.h"
 #include "renderer/fixed_point.h"
 #include "renderer/sample_locations.h"
 
@@ -58,11 +57,11 @@ struct PrimitiveInterpolation {
   int32_t anchor_y = 0;
   std::array<WindowPlane, 3> per_w;  // l_i
   std::array<double, 3> w{};         // clip space
-  WindowPlane depth_framebuffer;     // before rounding and clamping
+  WindowPlane depth_framebuffer;     // before clamping and rounding
 
   // All of these: at so much from the centre of the pixel (x, y).
-  [[nodiscard]] float depth_d32_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
-    return depth_d32(depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y));
+  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
   }
 
   [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {

@@ -153,14 +153,14 @@ constexpr VkViewport kViewport{.width = 64, .height = 64, .maxDepth = 1};
 TEST(Interpolation, ATriangleOnALineHasTheValuesOfItsFirstVisibleVertex) {
   std::array<ClipPosition, 3> positions = {{{-0.5F, -0.5F, 0.25F, 1}, {0, 0, 1, 2}, {0.5F, 0.5F, 0.75F, 1}}};
   PrimitiveInterpolation interpolation = make_interpolation(kViewport, positions, 20, 20);
-  EXPECT_EQ(interpolation.depth_d32_at(40, 40), 0.25F);
+  EXPECT_EQ(interpolation.depth_at(40, 40), 0.25);
   EXPECT_EQ(interpolation.weights_at(40, 40).smooth, (VertexWeights{1, 0, 0}));
   EXPECT_EQ(interpolation.weights_at(40, 40).noperspective, (VertexWeights{1, 0, 0}));
   positions[0][3] = -1;
   positions[0][0] = 0.5F;
   positions[0][1] = 0.5F;
   interpolation = make_interpolation(kViewport, positions, 20, 20);
-  EXPECT_EQ(interpolation.depth_d32_at(40, 40), 0.5F);
+  EXPECT_EQ(interpolation.depth_at(40, 40), 0.5);
   EXPECT_EQ(interpolation.weights_at(40, 40).smooth, (VertexWeights{0, 1, 0}));
 }
 

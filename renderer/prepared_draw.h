@@ -35,6 +35,7 @@ struct DrawInput {
 struct PreparedDraw {
   DrawInput input;
   uint32_t subpixel_bits;
+  DepthStage depth;
   PrimitiveAssembly assembly;
   PixelRect viewport_pixels;  // by their centres
   SetupState setup;
