@@ -56,6 +56,22 @@ inline float quantized_depth(uint32_t max_code, float depth_framebuffer) {
   return static_cast<float>(code / max_code);
 }
 
+// From the depth of normalized device coordinates to the framebuffer's: z * scale + offset (Vulkan, "Controlling the
+// Viewport").
+struct DepthTransform {
+  double scale = 1;
+  double offset = 0;
+};
+
+inline DepthTransform depth_transform(const RasterState& state) {
+  const double min = state.viewport.minDepth;
+  const double max = state.viewport.maxDepth;
+  if (state.negative_one_to_one) {
+    return {.scale = (max - min) / 2, .offset = (max + min) / 2};
+  }
+  return {.scale = max - min, .offset = min};
+}
+
 // What happens to a fragment at a sample of the depth attachment.
 class DepthStage {
  public:

@@ -143,6 +143,50 @@ TEST(DepthTest, DepthRangeOfTheViewport) {
   EXPECT_EQ(render(scene).depth[12], 1 - 7.0F / 16);
 }
 
+// z from -1 to 2 (of -1 to 1: from -2 to 2) over 12 pixels.
+TEST(DepthVolume, ClippedClampedOrNeither) {
+  TestScene scene(12, 4);
+  scene.state.depth_test = true;
+  scene.state.depth_compare = VK_COMPARE_OP_ALWAYS;
+  scene.clear_depth = 0.125F;
+  scene.state.viewport.minDepth = 0.75F;  // reversed
+  scene.state.viewport.maxDepth = 0.5F;
+  scene.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+  for (const bool negative_one_to_one : {false, true}) {
+    const double low = negative_one_to_one ? -2 : -1;
+    scene.positions = {scene.at(0, 0, low), scene.at(12, 0, 2), scene.at(0, 4, low), scene.at(12, 4, 2)};
+    scene.state.negative_one_to_one = negative_one_to_one;
+    for (const bool clip : {false, true}) {
+      for (const bool clamp : {false, true}) {
+        scene.state.depth_clip = clip;
+        scene.state.depth_clamp = clamp;
+        const TestPlanes planes = render(scene);
+        for (uint32_t x = 0; x < 12; ++x) {
+          const double z_ndc = low + (2 - low) * (x + 0.5) / 12;
+          const double of_range = negative_one_to_one ? (z_ndc + 1) / 2 : z_ndc;
+          double depth = 0.75 - 0.25 * of_range;
+          if (clamp) {
+            depth = std::clamp(depth, 0.5, 0.75);
+          }
+          const bool is_clipped = clip && (of_range < 0 || of_range > 1);
+          ASSERT_EQ(planes.hits[planes.pixel(x, 1)], is_clipped ? 0U : 1U) << x;
+          ASSERT_NEAR(planes.depth[planes.pixel(x, 1)], is_clipped ? 0.125 : depth, 1e-7) << x;
+        }
+      }
+    }
+  }
+}
+
+// Beyond [0, 1], without clamping to the viewport's range.
+TEST(DepthVolume, WithoutClipAndClampDepthsAreStoredWithinZeroToOne) {
+  TestScene scene = full_quad(-3);
+  scene.state.depth_clip = false;
+  EXPECT_EQ(render(scene).depth, std::vector<float>(kQuadPixels, 0.0F));
+  scene.positions = full_quad(3).positions;
+  scene.state.depth_compare = VK_COMPARE_OP_ALWAYS;
+  EXPECT_EQ(render(scene).depth, std::vector<float>(kQuadPixels, 1.0F));
+}
+
 TEST(DepthTest, TheNearestOfManyWins) {
   TestScene scene(16, 16);
   scene.state.depth_test = true;

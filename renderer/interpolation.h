@@ -20,6 +20,7 @@
 #include <limits>
 
 #include "cases/model/case.h"
+#include "renderer/depth.h"
 #include "renderer/fixed_point.h"
 #include "renderer/sample_locations.h"
 
@@ -90,7 +91,7 @@ struct PrimitiveInterpolation {
 
 // `anchor` should be a pixel near the triangle. If the triangle is too thin for its plane equations to mean anything,
 // its values are those of one vertex throughout.
-PrimitiveInterpolation make_interpolation(const VkViewport& viewport,
+PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y);
 

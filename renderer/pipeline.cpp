@@ -32,7 +32,7 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::a
   const PixelRect& limits = draw.viewport_pixels;
   const int32_t anchor_x = std::clamp(corner.x_fixed >> draw.subpixel_bits, limits.left, limits.right);
   const int32_t anchor_y = std::clamp(corner.y_fixed >> draw.subpixel_bits, limits.top, limits.bottom);
-  return make_interpolation(draw.input.state.viewport,
+  return make_interpolation(draw.input.state.viewport, depth_transform(draw.input.state),
                             {positions_clip[vertices[0]], positions_clip[vertices[1]], positions_clip[vertices[2]]},
                             anchor_x, anchor_y);
 }

@@ -112,7 +112,8 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
     return tl::unexpected(checked.error());
   }
   const RasterState& state = input.state;
-  const WindowTransform transform(state.viewport, options.subpixel_bits);
+  const WindowTransform transform(state.viewport, options.subpixel_bits,
+                                  {.clips = state.depth_clip, .negative_one_to_one = state.negative_one_to_one});
   PreparedDraw prepared{
       .input = input,
       .subpixel_bits = options.subpixel_bits,

@@ -54,10 +54,11 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
 
 FeatureSet renderer_features() {
   FeatureSet features;
-  for (const Feature feature : {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast,
-                                Feature::kSamples2, Feature::kSamples4, Feature::kSamples8, Feature::kSamples16,
-                                Feature::kSampleMask, Feature::kCentroid, Feature::kSampleShading, Feature::kDepthD16,
-                                Feature::kDepthX8D24, Feature::kDepthBounds, Feature::kDepthClamp}) {
+  for (const Feature feature :
+       {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast, Feature::kSamples2,
+        Feature::kSamples4, Feature::kSamples8, Feature::kSamples16, Feature::kSampleMask, Feature::kCentroid,
+        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBounds,
+        Feature::kDepthClamp, Feature::kDepthClipOff, Feature::kNegativeOneToOne}) {
     features.add(feature);
   }
   return features;
