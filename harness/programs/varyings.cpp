@@ -57,8 +57,9 @@ FeatureSet renderer_features() {
   for (const Feature feature :
        {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast, Feature::kSamples2,
         Feature::kSamples4, Feature::kSamples8, Feature::kSamples16, Feature::kSampleMask, Feature::kCentroid,
-        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBounds,
-        Feature::kDepthClamp, Feature::kDepthClipOff, Feature::kNegativeOneToOne}) {
+        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBias,
+        Feature::kDepthBiasClamp, Feature::kDepthBounds, Feature::kDepthClamp, Feature::kDepthClipOff,
+        Feature::kNegativeOneToOne}) {
     features.add(feature);
   }
   return features;
