@@ -49,7 +49,7 @@ WindowPlane weighted_sum(const std::array<WindowPlane, 3>& planes, const std::ar
 
 }  // namespace
 
-PrimitiveInterpolation make_interpolation(const VkViewport& viewport,
+PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y) {
   PrimitiveInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y};
@@ -77,10 +77,9 @@ PrimitiveInterpolation make_interpolation(const VkViewport& viewport,
 
   WindowPlane& depth = interpolation.depth_framebuffer;
   depth = weighted_sum(interpolation.per_w, z);
-  const double depth_range = double{viewport.maxDepth} - double{viewport.minDepth};
-  depth.at_anchor = depth.at_anchor * depth_range + double{viewport.minDepth};
-  depth.step_x *= depth_range;
-  depth.step_y *= depth_range;
+  depth.at_anchor = depth.at_anchor * depth_transform.scale + depth_transform.offset;
+  depth.step_x *= depth_transform.scale;
+  depth.step_y *= depth_transform.scale;
   return interpolation;
 }
 

@@ -58,11 +58,11 @@ struct PrimitiveInterpolation {
   int32_t anchor_y = 0;
   std::array<WindowPlane, 3> per_w;  // l_i
   std::array<double, 3> w{};         // clip space
-  WindowPlane depth_framebuffer;     // before rounding and clamping
+  WindowPlane depth_framebuffer;     // before clamping and rounding
 
   // All of these: at so much from the centre of the pixel (x, y).
-  [[nodiscard]] float depth_d32_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
-    return depth_d32(depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y));
+  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
   }
 
   [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
@@ -91,7 +91,7 @@ struct PrimitiveInterpolation {
 
 // `anchor` should be a pixel near the triangle. If the triangle is too thin for its plane equations to mean anything,
 // its values are those of one vertex throughout.
-PrimitiveInterpolation make_interpolation(const VkViewport& viewport,
+PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y);
 

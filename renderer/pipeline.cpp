@@ -1,6 +1,9 @@
 #include "renderer/pipeline.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "renderer/depth_bias.h"
 
 namespace fillrule::renderer {
 
@@ -20,6 +23,34 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
   chunk.sort_into(grid);
 }
 
+namespace {
+
+// The greatest |depth| of the part of a triangle that the near and far planes leave.
+double greatest_depth(const PreparedDraw& draw, const std::array<ClipPosition, 3>& positions_clip,
+                      std::span<const FixedPosition> outline, const PrimitiveInterpolation& interpolation) {
+  const RasterState& state = draw.input.state;
+  const DepthTransform transform = depth_transform(state);
+  const auto& [least, greatest] = std::minmax(state.viewport.minDepth, state.viewport.maxDepth);
+  double result = 0;
+  const auto include = [&, low = double{least}, high = double{greatest}](double depth) {
+    result = std::max(result, std::abs(state.depth_clip ? std::clamp(depth, low, high) : depth));
+  };
+  if (std::all_of(positions_clip.begin(), positions_clip.end(), [](const auto& one) { return one[3] > 0; })) {
+    for (const ClipPosition& position : positions_clip) {
+      include(double{position[2]} / double{position[3]} * transform.scale + transform.offset);
+    }
+    return result;
+  }
+  const double pixel = 1U << draw.subpixel_bits;
+  for (const FixedPosition& vertex : outline) {
+    include(interpolation.depth_framebuffer.at(vertex.x_fixed / pixel - 0.5 - interpolation.anchor_x,
+                                               vertex.y_fixed / pixel - 0.5 - interpolation.anchor_y));
+  }
+  return result;
+}
+
+}  // namespace
+
 PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline) {
@@ -32,9 +63,17 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::a
   const PixelRect& limits = draw.viewport_pixels;
   const int32_t anchor_x = std::clamp(corner.x_fixed >> draw.subpixel_bits, limits.left, limits.right);
   const int32_t anchor_y = std::clamp(corner.y_fixed >> draw.subpixel_bits, limits.top, limits.bottom);
-  return make_interpolation(draw.input.state.viewport,
-                            {positions_clip[vertices[0]], positions_clip[vertices[1]], positions_clip[vertices[2]]},
-                            anchor_x, anchor_y);
+  const RasterState& state = draw.input.state;
+  const std::array<ClipPosition, 3> positions{positions_clip[vertices[0]], positions_clip[vertices[1]],
+                                              positions_clip[vertices[2]]};
+  PrimitiveInterpolation interpolation =
+      make_interpolation(state.viewport, depth_transform(state), positions, anchor_x, anchor_y);
+  if (state.depth_bias) {
+    interpolation.depth_framebuffer.at_anchor +=
+        depth_bias(*state.depth_bias, interpolation.depth_framebuffer, max_depth_code(draw.input.depth.format),
+                   greatest_depth(draw, positions, outline, interpolation));
+  }
+  return interpolation;
 }
 
 }  // namespace fillrule::renderer

@@ -63,6 +63,11 @@ Result<void> check(const DrawInput& input, const Options& options) {
     return failure(fmt::format("a depth buffer of {} values for a target of {} x {} pixels of {} samples",
                                depth_values, input.target_width, input.target_height, input.samples));
   }
+  const VkFormat format = input.depth.format;
+  if (depth_values != 0 && format != VK_FORMAT_D32_SFLOAT && max_depth_code(format) == 0) {
+    return failure(fmt::format("depth format {}", static_cast<int>(format)),
+                   "D16_UNORM, X8_D24_UNORM_PACK32 or D32_SFLOAT");
+  }
   return check_viewport(input.state.viewport)
       .and_then([&] { return check_topology(input.vertices.topology); })
       .and_then([&] { return check_indices(input.vertices); });
@@ -107,15 +112,16 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
     return tl::unexpected(checked.error());
   }
   const RasterState& state = input.state;
-  const WindowTransform transform(state.viewport, options.subpixel_bits);
+  const WindowTransform transform(state.viewport, options.subpixel_bits,
+                                  {.clips = state.depth_clip, .negative_one_to_one = state.negative_one_to_one});
   PreparedDraw prepared{
       .input = input,
       .subpixel_bits = options.subpixel_bits,
+      .coverage_rule = {.fill = options.fill, .subpixel_bits = options.subpixel_bits},
+      .depth = DepthStage(state, input.depth),
       .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
       .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),
       .setup = {.transform = transform, .cull_mode = state.cull_mode, .front_face = state.front_face}};
-  // Without a depth attachment the depth test passes (Vulkan, "Depth Test").
-  prepared.input.state.depth_test = state.depth_test && !input.depth.values.empty();
   set_up_samples(prepared);
   return prepared;
 }

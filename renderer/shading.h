@@ -86,22 +86,13 @@ struct Shader {
  private:
   [[nodiscard]] WindowOffset location(uint32_t sample) const { return draw.sample_locations[sample].from_centre(); }
 
-  // Depth test and depth write at a sample.
   [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample, const WindowOffset& from_centre) const {
-    const RasterState& state = draw.input.state;
-    if (!state.depth_test) {
+    if (!draw.depth.tests()) {
       return true;
     }
     const size_t pixel = static_cast<size_t>(y) * draw.input.target_width + static_cast<size_t>(x);
     float& stored = draw.input.depth.values[pixel * draw.input.samples + sample];
-    const float depth_framebuffer = interpolation.depth_d32_at(x, y, from_centre);
-    if (!depth_passes(state.depth_compare, depth_framebuffer, stored)) {
-      return false;
-    }
-    if (state.depth_write) {
-      stored = depth_framebuffer;
-    }
-    return true;
+    return draw.depth.lands(interpolation.depth_at(x, y, from_centre), stored);
   }
 
   void shade_pixel(int32_t x, int32_t y, uint32_t covered) const {
@@ -133,12 +124,12 @@ struct Shader {
 
 inline void cover_tile(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
                        TileCoverage& coverage) {
-  cover(outline, draw.samples().front().sample_fixed, draw.subpixel_bits, rect, coverage);
+  cover(draw.coverage_rule, outline, draw.samples().front().sample_fixed, rect, coverage);
 }
 
 inline void cover_tile(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
                        SampledTileCoverage& coverage) {
-  cover_samples(outline, draw.samples(), draw.subpixel_bits, rect, coverage);
+  cover_samples(draw.coverage_rule, outline, draw.samples(), rect, coverage);
 }
 
 // Coverage is TileCoverage for draws of one sample a pixel, which are much the faster for it, and else

@@ -44,6 +44,7 @@ struct TestScene {
   std::vector<ClipPosition> positions;
   std::vector<float> values;  // one varying a vertex; 0 where absent
   std::optional<std::vector<uint32_t>> indices;
+  VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   float clear_depth = 1;
 
   // The viewport and the scissor are the target.
@@ -114,7 +115,7 @@ inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, cons
                             .vertex_count = static_cast<uint32_t>(scene.positions.size()),
                             .indices = scene.indices ? Indices(*scene.indices) : std::nullopt},
                .state = scene.state,
-               .depth = {planes.depth}},
+               .depth = {planes.depth, scene.depth_format}},
               RecordingProgram(scene, planes), options);
 }
 

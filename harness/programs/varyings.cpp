@@ -8,10 +8,6 @@ namespace fillrule::programs {
 namespace {
 
 Result<void> check_target(const Target& target) {
-  if (target.depth_format != VK_FORMAT_D32_SFLOAT && target.depth_format != VK_FORMAT_UNDEFINED) {
-    return failure(fmt::format("the renderer cannot draw depth format {}", static_cast<int>(target.depth_format)),
-                   "D32_SFLOAT, or none");
-  }
   if (target.width == 0 || target.width > kMaxTargetSize || target.height == 0 || target.height > kMaxTargetSize) {
     return failure(fmt::format("a target of {} x {} pixels", target.width, target.height),
                    fmt::format("1 to {} each", kMaxTargetSize));
@@ -58,9 +54,12 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
 
 FeatureSet renderer_features() {
   FeatureSet features;
-  for (const Feature feature : {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast,
-                                Feature::kSamples2, Feature::kSamples4, Feature::kSamples8, Feature::kSamples16,
-                                Feature::kSampleMask, Feature::kCentroid, Feature::kSampleShading}) {
+  for (const Feature feature :
+       {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast, Feature::kSamples2,
+        Feature::kSamples4, Feature::kSamples8, Feature::kSamples16, Feature::kSampleMask, Feature::kCentroid,
+        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBias,
+        Feature::kDepthBiasClamp, Feature::kDepthBounds, Feature::kDepthClamp, Feature::kDepthClipOff,
+        Feature::kNegativeOneToOne}) {
     features.add(feature);
   }
   return features;
@@ -77,7 +76,8 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
   const Target& target = drawn_case.target;
   const auto samples = static_cast<uint32_t>(target.samples);
   Planes planes =
-      Planes::cleared(target.width, target.height, samples, component_count(drawn_case.varyings), target.clear_depth);
+      Planes::cleared(target.width, target.height, samples, component_count(drawn_case.varyings),
+                      renderer::quantized_depth(renderer::max_depth_code(target.depth_format), target.clear_depth));
   if (target.depth_format == VK_FORMAT_UNDEFINED) {
     planes.depth.clear();
   }
@@ -98,7 +98,7 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
                      .vertex_offset = draw.vertex_offset,
                      .runs = runs},
         .state = draw.state,
-        .depth = {planes.depth},
+        .depth = {planes.depth, target.depth_format},
     };
     if (const Result<void> drawn = renderer::draw(input, program, options); !drawn) {
       return tl::unexpected(drawn.error());

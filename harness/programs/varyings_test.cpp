@@ -57,6 +57,15 @@ TEST(DrawCase, ClearedWhereNothingLands) {
   EXPECT_THAT(planes->varyings[1], ::testing::Each(0.0F));
 }
 
+TEST(DrawCase, AFixedPointDepthIsClearedToACode) {
+  Case drawn_case = two_draws();
+  drawn_case.target.depth_format = VK_FORMAT_D16_UNORM;
+  drawn_case.target.clear_depth = 0.1F;
+  const Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_THAT(planes->depth, ::testing::Each(static_cast<float>(6554 / 65535.0)));
+}
+
 TEST(DrawCase, WithoutADepthAttachmentThereIsNoDepthPlane) {
   Case drawn_case = two_draws();
   drawn_case.target.depth_format = VK_FORMAT_UNDEFINED;
@@ -156,7 +165,7 @@ TEST(DrawCase, RefusesWhatItCannotDraw) {
   };
   using ::testing::HasSubstr;
   EXPECT_THAT(error_of([](Case& c) { c.target.samples = VK_SAMPLE_COUNT_64_BIT; }), HasSubstr("64 samples"));
-  EXPECT_THAT(error_of([](Case& c) { c.target.depth_format = VK_FORMAT_D16_UNORM; }), HasSubstr("depth format"));
+  EXPECT_THAT(error_of([](Case& c) { c.target.depth_format = VK_FORMAT_S8_UINT; }), HasSubstr("depth format 127"));
   EXPECT_THAT(error_of([](Case& c) { c.target.width = 0; }), HasSubstr("0 x 8"));
   EXPECT_THAT(error_of([](Case& c) { c.draws[1].varyings.pop_back(); }), HasSubstr("11 values"));
   EXPECT_THAT(error_of([](Case& c) { c.draws[1].indices = {{0, 1, 7}}; }), HasSubstr("index 7"));
