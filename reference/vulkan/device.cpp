@@ -16,8 +16,10 @@ std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice device) {
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  // Every device with graphics has a family of both.
+  const VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (uint32_t i = 0; i < count; ++i) {
-    if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return i;
+    if ((families[i].queueFlags & needed) == needed) return i;
   }
   return std::nullopt;
 }
@@ -28,6 +30,8 @@ std::string missing_ability(const PhysicalDevice& physical) {
   const DeviceFeatures features(physical.handle);
   if (features.vulkan13().dynamicRendering == VK_FALSE) return "the feature dynamicRendering";
   if (features.vulkan13().synchronization2 == VK_FALSE) return "the feature synchronization2";
+  // SPIR-V 1.6 gives the size of a workgroup in a way that wants it.
+  if (features.vulkan13().maintenance4 == VK_FALSE) return "the feature maintenance4";
   if (features.core().independentBlend == VK_FALSE) return "the feature independentBlend";
   if (features.core().fullDrawIndexUint32 == VK_FALSE) return "the feature fullDrawIndexUint32";
   VkFormatProperties format;
@@ -91,6 +95,7 @@ void Device::read_limits() {
   slots_per_pass_ = std::min({limits.maxColorAttachments - kFirstSlotAttachment,
                               limits.maxFragmentOutputAttachments - kFirstSlotAttachment,
                               limits.maxVertexInputAttributes - kVertexInputsBesideSlots});
+  max_storage_buffer_bytes_ = limits.maxStorageBufferRange;
   max_buffer_bytes_ = maintenance4.maxBufferSize;
   max_allocation_bytes_ = maintenance3.maxMemoryAllocationSize;
 }

@@ -59,7 +59,8 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice device) : device_(device) {
   vulkan13_ = {.sType = vulkan13_.sType,
                .pNext = vulkan13_.pNext,
                .synchronization2 = vulkan13_.synchronization2,
-               .dynamicRendering = vulkan13_.dynamicRendering};
+               .dynamicRendering = vulkan13_.dynamicRendering,
+               .maintenance4 = vulkan13_.maintenance4};
   provoking_vertex_.transformFeedbackPreservesProvokingVertex = VK_FALSE;
 }
 
@@ -85,6 +86,7 @@ FeatureSet DeviceFeatures::for_cases() const {
   if (core().shaderCullDistance == VK_TRUE) set.add(Feature::kCullDistances);
   add_lines_and_points(set);
   add_depth(set);
+  add_samples(set);
   return set;
 }
 
@@ -116,6 +118,20 @@ void DeviceFeatures::add_depth(FeatureSet& set) const {
   // Without clipping, or with both clipping and clamping.
   if (depth_clip_enable_.depthClipEnable == VK_TRUE) set.add(Feature::kDepthClipOff);
   if (depth_clip_control_.depthClipControl == VK_TRUE) set.add(Feature::kNegativeOneToOne);
+}
+
+void DeviceFeatures::add_samples(FeatureSet& set) const {
+  if (properties_.limits.standardSampleLocations == VK_FALSE) return;
+  // What the attachments' formats have in common. framebufferIntegerColorSampleCounts is about all integer formats; a
+  // device may do more with this one.
+  VkSampleCountFlags counts = ~0U;
+  for (const VkFormat format : {kHitsFormat, kOwnerFormat, kSlotFormat, VK_FORMAT_D32_SFLOAT}) {
+    counts &= sample_counts(device_, format, VK_SAMPLE_COUNT_4_BIT);
+  }
+  if ((counts & VK_SAMPLE_COUNT_2_BIT) != 0) set.add(Feature::kSamples2);
+  if ((counts & VK_SAMPLE_COUNT_4_BIT) != 0) set.add(Feature::kSamples4);
+  if ((counts & VK_SAMPLE_COUNT_8_BIT) != 0) set.add(Feature::kSamples8);
+  if ((counts & VK_SAMPLE_COUNT_16_BIT) != 0) set.add(Feature::kSamples16);
 }
 
 }  // namespace fillrule::vulkan

@@ -35,6 +35,7 @@ class DeviceFeatures {
   void add_if_present(const char* extension, Structure& structure);
   void add_lines_and_points(FeatureSet& set) const;
   void add_depth(FeatureSet& set) const;
+  void add_samples(FeatureSet& set) const;
 
   VkPhysicalDevice device_;
   VkPhysicalDeviceProperties properties_{};

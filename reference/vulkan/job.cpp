@@ -22,7 +22,8 @@ uint64_t upload_bytes(const Draw& draw, uint32_t slots, bool use_primitive_id) {
   const uint64_t vertex_bytes =
       uint64_t{kVec4Bytes} * (1 + slots) + sizeof(float) * extra_count(pipeline_key({}, draw, {}));
   const uint64_t index_bytes = indexed ? draw.indices->size() * bytes_of(draw.index_type) : 0;
-  return aligned(max_vertices(draw, use_primitive_id) * vertex_bytes) + aligned(index_bytes);
+  return aligned(max_vertices(draw, use_primitive_id) * vertex_bytes, kUploadAlignment) +
+         aligned(index_bytes, kUploadAlignment);
 }
 
 // In the readback buffer. Multisampled attachments get there through a shader, as 32-bit words.
@@ -46,7 +47,7 @@ TargetKey target_key(const Case& drawn, const SlotRange& slots) {
 uint64_t attachment_offset(const TargetKey& target, uint32_t index) {
   const uint64_t samples = uint64_t{target.width} * target.height * target.samples;
   uint64_t offset = 0;
-  for (uint32_t i = 0; i < index; ++i) offset += aligned(samples * bytes_per_sample(target, i));
+  for (uint32_t i = 0; i < index; ++i) offset += aligned(samples * bytes_per_sample(target, i), kReadbackAlignment);
   return offset;
 }
 

@@ -58,9 +58,12 @@ struct CaseJob {
   std::vector<Pass> passes;
 };
 
-// Vertex and index data, and image data in buffers, begin at multiples of a vec4.
-constexpr uint64_t aligned(uint64_t bytes) {
-  return (bytes + kVec4Bytes - 1) / kVec4Bytes * kVec4Bytes;
+// Vertex and index data begin at multiples of a vec4. What is read back begins at multiples of the largest alignment
+// that Vulkan lets a device ask of storage buffers.
+inline constexpr uint64_t kUploadAlignment = kVec4Bytes;
+inline constexpr uint64_t kReadbackAlignment = 256;
+constexpr uint64_t aligned(uint64_t bytes, uint64_t alignment) {
+  return (bytes + alignment - 1) / alignment * alignment;
 }
 
 CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id);

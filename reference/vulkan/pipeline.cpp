@@ -79,15 +79,7 @@ Result<ShaderModule> PipelineCache::compile(VkShaderStageFlagBits stage, const P
       define_slots(key.slots), key.draws_points() ? 1 : 0, key.clip_distances, key.cull_distances,
       use_primitive_id_ ? 1 : 0);
   const bool is_vertex = stage == VK_SHADER_STAGE_VERTEX_BIT;
-  const auto spirv = compile_glsl(stage, is_vertex ? program_.vertex_glsl : program_.fragment_glsl, defines);
-  if (!spirv) return tl::unexpected(spirv.error());
-  const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                      .codeSize = spirv->size() * sizeof(uint32_t),
-                                      .pCode = spirv->data()};
-  VkShaderModule module = VK_NULL_HANDLE;
-  const VkResult result = vkCreateShaderModule(device_->get(), &info, nullptr, &module);
-  if (result != VK_SUCCESS) return failed_call("vkCreateShaderModule", result);
-  return ShaderModule(device_->get(), module);
+  return create_shader(device_->get(), stage, is_vertex ? program_.vertex_glsl : program_.fragment_glsl, defines);
 }
 
 Result<VkPipeline> PipelineCache::find_or_create(const PipelineKey& key) {

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <cstring>
 
 #include "reference/vulkan/job.h"
@@ -35,6 +36,16 @@ std::vector<float> copy_depth(const Pass& pass, std::span<const std::byte> buffe
   constexpr double kMax16 = 0xFFFF;
   constexpr double kMax24 = 0xFFFFFF;
   std::vector<float> depths;
+  // A shader reads a depth as float32, near enough to tell its code from the next.
+  const auto exact = [](float depth, double max) { return static_cast<float>(std::nearbyint(depth * max) / max); };
+  if (pass.target.is_multisampled()) {
+    depths = copy_attachment<float>(pass, attachment, buffer);
+    for (float& depth : depths) {
+      if (key.depth_format == VK_FORMAT_D16_UNORM) depth = exact(depth, kMax16);
+      if (key.depth_format == VK_FORMAT_X8_D24_UNORM_PACK32) depth = exact(depth, kMax24);
+    }
+    return depths;
+  }
   switch (key.depth_format) {
     case VK_FORMAT_D16_UNORM:
       for (const uint16_t code : copy_attachment<uint16_t>(pass, attachment, buffer)) {

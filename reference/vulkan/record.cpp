@@ -53,33 +53,37 @@ void record_begin_barrier(VkCommandBuffer commands, std::span<const CaseJob> job
   record_image_barriers(commands, barriers);
 }
 
-// Hazard: the copies read after the passes' stores have written.
-void record_copy_barrier(VkCommandBuffer commands, std::span<const CaseJob> jobs) {
+// Hazard: the copies, and the shader that reads samples, read after the passes' stores have written.
+void record_read_barrier(VkCommandBuffer commands, std::span<const CaseJob> jobs) {
   std::vector<VkImageMemoryBarrier2> barriers;
-  for_each_attachment(jobs, [&](const Attachment& attachment, VkImageAspectFlags aspect, const Pass&, uint32_t) {
+  for_each_attachment(jobs, [&](const Attachment& attachment, VkImageAspectFlags aspect, const Pass& pass, uint32_t) {
     const bool is_depth = aspect == VK_IMAGE_ASPECT_DEPTH_BIT;
-    barriers.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                        .srcStageMask = is_depth ? VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT
-                                                 : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                        .srcAccessMask = is_depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
-                                                  : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-                        .dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-                        .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT,
-                        .oldLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL,
-                        .newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                        .image = attachment.image.get(),
-                        .subresourceRange = whole_image(aspect)});
+    const bool by_shader = pass.target.is_multisampled();
+    barriers.push_back(
+        {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+         .srcStageMask =
+             is_depth ? VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+         .srcAccessMask =
+             is_depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+         .dstStageMask = by_shader ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_2_COPY_BIT,
+         .dstAccessMask = by_shader ? VK_ACCESS_2_SHADER_SAMPLED_READ_BIT : VK_ACCESS_2_TRANSFER_READ_BIT,
+         .oldLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL,
+         .newLayout = by_shader ? VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+         .image = attachment.image.get(),
+         .subresourceRange = whole_image(aspect)});
   });
   record_image_barriers(commands, barriers);
 }
 
-// Hazard: the host reads after the copies have written. The fence alone makes nothing visible to the host.
+// Hazard: the host reads after the copies and the shader have written, each its own part of the buffer. The fence
+// alone makes nothing visible to the host.
 void record_host_barrier(VkCommandBuffer commands) {
-  const VkMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                 .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-                                 .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                 .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                                 .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
+  const VkMemoryBarrier2 barrier{
+      .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+      .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+      .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+      .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
+      .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
   const VkDependencyInfo info{
       .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier};
   vkCmdPipelineBarrier2(commands, &info);
@@ -176,6 +180,7 @@ void record_pass(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upl
 void record_copies(VkCommandBuffer commands, VkBuffer readback, std::span<const CaseJob> jobs) {
   for_each_attachment(
       jobs, [&](const Attachment& attachment, VkImageAspectFlags aspect, const Pass& pass, uint32_t index) {
+        if (pass.target.is_multisampled()) return;
         const TargetKey& key = pass.target.key();
         const VkBufferImageCopy region{.bufferOffset = pass.readback_offset + attachment_offset(key, index),
                                        .imageSubresource = {.aspectMask = aspect, .layerCount = 1},
@@ -187,15 +192,16 @@ void record_copies(VkCommandBuffer commands, VkBuffer readback, std::span<const 
 
 }  // namespace
 
-void record(VkCommandBuffer commands, const PipelineCache& pipelines, const SubmissionBuffers& buffers,
-            std::span<const CaseJob> jobs) {
+void record(VkCommandBuffer commands, const PipelineCache& pipelines, const SampleReader& sample_reader,
+            const SubmissionBuffers& buffers, std::span<const CaseJob> jobs) {
   // The upload buffer needs no barrier: submitting makes the host's writes visible.
   record_begin_barrier(commands, jobs);
   for (const CaseJob& job : jobs) {
     for (const Pass& pass : job.passes) record_pass(commands, pipelines.layout(), buffers.upload, job, pass);
   }
-  record_copy_barrier(commands, jobs);
+  record_read_barrier(commands, jobs);
   record_copies(commands, buffers.readback, jobs);
+  sample_reader.record(commands);
   record_host_barrier(commands);
 }
 

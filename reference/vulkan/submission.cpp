@@ -105,7 +105,9 @@ Result<void> Submitter::place(std::span<CaseJob> jobs) {
     }
   }
   auto fitted = fit(upload_, upload_bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  if (fitted) fitted = fit(readback_, readback_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  if (fitted)
+    fitted = fit(readback_, readback_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  if (fitted) fitted = sample_reader_.bind(jobs, readback_.get());
   return fitted;
 }
 
@@ -128,7 +130,7 @@ Result<void> Submitter::submit(std::span<const CaseJob> jobs) {
                                             .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
   result = vkBeginCommandBuffer(commands_, &begin_info);
   if (result != VK_SUCCESS) return failed_call("vkBeginCommandBuffer", result);
-  record(commands_, *pipelines_, {.upload = upload_.get(), .readback = readback_.get()}, jobs);
+  record(commands_, *pipelines_, sample_reader_, {.upload = upload_.get(), .readback = readback_.get()}, jobs);
   result = vkEndCommandBuffer(commands_);
   if (result != VK_SUCCESS) return failed_call("vkEndCommandBuffer", result);
 

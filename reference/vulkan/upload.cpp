@@ -40,7 +40,7 @@ class Writer {
   void write_one(T value) {
     write(std::span<const T>(&value, 1));
   }
-  void align() { offset_ = aligned(offset_); }
+  void align() { offset_ = aligned(offset_, kUploadAlignment); }
 
  private:
   std::span<std::byte> buffer_;
