@@ -79,7 +79,7 @@ FixedPolygon clip_triangle(const WindowTransform& transform, const std::array<Cl
   }
   // All planes, whichever of them the triangle's own vertices cross: an intersection may be outside of a further
   // plane by rounding, and the neighbour must decide alike.
-  for (uint32_t plane = 0; plane < kClipPlanes; ++plane) {
+  for (uint32_t plane = transform.first_plane(); plane < kClipPlanes; ++plane) {
     polygon = clip(transform, static_cast<ClipPlane>(plane), polygon);
   }
   FixedPolygon snapped;

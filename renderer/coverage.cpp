@@ -1,9 +1,12 @@
 #include "renderer/coverage.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
 #include "renderer/clip.h"
 #include "renderer/edge_function.h"
+#include "renderer/scanline.h"
 
 namespace fillrule::renderer {
 namespace {
@@ -21,7 +24,7 @@ struct Pieces {
   uint32_t count = 0;
 };
 
-// The least and the greatest value of an edge function over a rectangle of pixel centres: at two of its corners.
+// The least and the greatest value of an edge function over a rectangle of pixels: at two of its corners.
 struct Range {
   int64_t least;
   int64_t greatest;
@@ -35,10 +38,9 @@ Range range_over(const EdgeFunction& edge, int64_t at_top_left, int32_t width, i
 }
 
 std::array<EdgeFunction, 3> edges_of(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c,
-                                     uint32_t subpixel_bits) {
-  const FixedPosition centre{half_pixel_fixed(subpixel_bits), half_pixel_fixed(subpixel_bits)};
-  return {edge_function(a, b, centre, subpixel_bits), edge_function(b, c, centre, subpixel_bits),
-          edge_function(c, a, centre, subpixel_bits)};
+                                     const FixedPosition& sample_fixed, uint32_t subpixel_bits) {
+  return {edge_function(a, b, sample_fixed, subpixel_bits), edge_function(b, c, sample_fixed, subpixel_bits),
+          edge_function(c, a, sample_fixed, subpixel_bits)};
 }
 
 // Drops the edges that all of the rectangle is inside of; false if all of it is outside of one.
@@ -93,22 +95,21 @@ uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
   return mask;
 }
 
-// The pixels of the 8x8 block at (x, y) that are in the rectangle.
+// The pixels of the 8x8 block at (x, y) that are in the rectangle, which may be anywhere.
 uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
-  uint64_t mask = kFullMask;
-  if (x < rect.left || x + kBlockSize > rect.right) {
-    const uint32_t low = x < rect.left ? static_cast<uint32_t>(rect.left - x) : 0;
-    const uint32_t high = x + kBlockSize > rect.right ? static_cast<uint32_t>(rect.right - x) : kBlockSize;
-    const uint64_t columns = ((1U << high) - 1U) & ~((1U << low) - 1U);
-    mask &= columns * 0x0101010101010101U;
+  // Bits [low, high) of 8: the columns, or the rows, of the block between two coordinates.
+  const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
+    const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
+    const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
+    return uint64_t{(1U << high) - 1U} & ~uint64_t{(1U << low) - 1U};
+  };
+  constexpr uint64_t kFirstColumn = 0x0101010101010101U;
+  const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
+  uint64_t mask = 0;
+  for (uint64_t rows = range_mask(rect.top, rect.bottom, y); rows != 0; rows &= rows - 1) {
+    mask |= uint64_t{0xFF} << (static_cast<uint32_t>(std::countr_zero(rows)) * kBlockSize);
   }
-  if (y < rect.top) {
-    mask &= kFullMask << (static_cast<uint32_t>(rect.top - y) * kBlockSize);
-  }
-  if (y + kBlockSize > rect.bottom) {
-    mask &= kFullMask >> (static_cast<uint32_t>(y + kBlockSize - rect.bottom) * kBlockSize);
-  }
-  return mask;
+  return mask & columns;
 }
 
 // One triangle over a rectangle of at most 8x8 pixels, pixel by pixel.
@@ -137,7 +138,8 @@ uint64_t small_mask(const std::array<EdgeFunction, 3>& edges, const PixelRect& r
 
 // Calls visit(edges) for each triangle of the fan that has an area, positively oriented.
 template <typename Visit>
-void for_each_piece(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const Visit& visit) {
+void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
+                    const Visit& visit) {
   for (size_t i = 2; i < outline.size(); ++i) {
     const FixedPosition& a = outline[0];
     FixedPosition b = outline[i - 1];
@@ -149,18 +151,18 @@ void for_each_piece(std::span<const FixedPosition> outline, uint32_t subpixel_bi
     if (area < 0) {
       std::swap(b, c);
     }
-    visit(edges_of(a, b, c, subpixel_bits));
+    visit(edges_of(a, b, c, sample_fixed, subpixel_bits));
   }
 }
 
 }  // namespace
 
-void cover(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const PixelRect& rect,
-           TileCoverage& coverage) {
+void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
+           const PixelRect& rect, TileCoverage& coverage) {
   coverage.count = 0;
   if (rect.width() <= kBlockSize && rect.height() <= kBlockSize) {
     uint64_t mask = 0;
-    for_each_piece(outline, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
+    for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
     if (mask != 0) {
       coverage.blocks[coverage.count++] = {rect.left, rect.top, mask};
     }
@@ -172,7 +174,7 @@ void cover(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const
                          (rect.right + kBlockSize - 1) & ~(kBlockSize - 1),
                          (rect.bottom + kBlockSize - 1) & ~(kBlockSize - 1)};
   Pieces active;
-  for_each_piece(outline, subpixel_bits, [&](const auto& edges) {
+  for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) {
     if (settle(blocks, edges, active.pieces[active.count])) {
       ++active.count;
     }
@@ -192,6 +194,49 @@ void cover(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const
       if (mask != 0) {
         coverage.blocks[coverage.count++] = {x, y, mask};
       }
+    }
+  }
+}
+
+uint32_t SampledBlock::samples_at(uint32_t bit) const {
+  uint32_t samples = 0;
+  for (uint32_t i = 0; i < kMaxSamples; ++i) {
+    samples |= static_cast<uint32_t>(masks[i] >> bit & 1U) << i;
+  }
+  return samples;
+}
+
+void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
+           const PixelRect& rect, TileCoverage& coverage) {
+  if (rule.fill == Fill::kScanline) {
+    cover_by_scanlines(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+  } else {
+    cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+  }
+}
+
+void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
+                   std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage) {
+  coverage.count = 0;
+  // Which entry the block of a tile's row and column has: all samples' blocks lie alike.
+  constexpr uint8_t kNone = 0xFF;
+  std::array<uint8_t, TileCoverage::kMaxBlocks> entries;
+  entries.fill(kNone);
+  TileCoverage one;
+  for (uint32_t i = 0; i < samples.size(); ++i) {
+    cover(rule, outline, samples[i].sample_fixed, rect, one);
+    for (uint32_t k = 0; k < one.count; ++k) {
+      const auto& [x, y, mask] = one.blocks[k];
+      constexpr int32_t kBlocksInRow = kTileSize / kBlockSize;
+      uint8_t& entry = entries[static_cast<uint32_t>((y & (kTileSize - 1)) / kBlockSize * kBlocksInRow +
+                                                     (x & (kTileSize - 1)) / kBlockSize)];
+      if (entry == kNone) {
+        entry = static_cast<uint8_t>(coverage.count);
+        coverage.blocks[coverage.count++] = {.x = x, .y = y};
+      }
+      SampledBlock& block = coverage.blocks[entry];
+      block.masks[i] = mask & rect_mask(samples[i].pixels, x, y);
+      block.any |= block.masks[i];
     }
   }
 }

@@ -1,4 +1,4 @@
-// Coverage masks: which pixel centres of a tile a snapped outline covers (Vulkan, "Basic Polygon Rasterization").
+// Coverage masks: which samples of a tile a snapped outline covers (Vulkan, "Basic Polygon Rasterization").
 //
 // An outline is a closed polygon; it is cut into a fan of triangles from its first vertex, and its coverage is the
 // parity (XOR) of theirs. Snapping may turn a piece of a clipped polygon over; with the parity, inner edges cancel
@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <span>
 
+#include "cases/model/case.h"
 #include "renderer/fixed_point.h"
 
 namespace fillrule::renderer {
@@ -29,8 +30,51 @@ struct TileCoverage {
   uint32_t count = 0;  // of blocks with a pixel in them
 };
 
-// The pixels of `rect`, which must lie within one tile, that the outline of at most kMaxPolygonVertices covers.
-void cover(std::span<const FixedPosition> outline, uint32_t subpixel_bits, const PixelRect& rect,
-           TileCoverage& coverage);
+// The pixels of `rect`, which must lie within one tile, whose sample at `sample_fixed` the outline covers. The
+// outline has at most kMaxPolygonVertices: a triangle, what clipping left of one, a line's rectangle, a point's
+// square.
+void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
+           const PixelRect& rect, TileCoverage& coverage);
+
+// Two ways to the same coverage.
+enum class Fill : uint8_t {
+  kEdgeFunction,  // cover()
+  kScanline,      // cover_by_scanlines() of scanline.h
+};
+
+// How the outlines of a draw are covered.
+struct CoverageRule {
+  Fill fill = Fill::kEdgeFunction;
+  uint32_t subpixel_bits = kMaxSubpixelBits;
+};
+
+void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
+           const PixelRect& rect, TileCoverage& coverage);
+
+// The same for pixels of several samples, a mask for each sample.
+struct SampledBlock {
+  int32_t x = 0;
+  int32_t y = 0;
+  uint64_t any = 0;  // the pixels with a covered sample
+  std::array<uint64_t, kMaxSamples> masks{};
+
+  // Bit i: the block's pixel number `bit` has its sample i covered.
+  [[nodiscard]] uint32_t samples_at(uint32_t bit) const;
+};
+
+struct SampledTileCoverage {
+  std::array<SampledBlock, TileCoverage::kMaxBlocks> blocks;
+  uint32_t count = 0;
+};
+
+// One of a pixel's samples: where it is, and the pixels in which a fragment may land on it (not quite the same for
+// all samples where a border of the viewport runs through pixels).
+struct SampleArea {
+  FixedPosition sample_fixed;
+  PixelRect pixels;
+};
+
+void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
+                   std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage);
 
 }  // namespace fillrule::renderer

@@ -5,17 +5,20 @@
 #include <algorithm>
 
 #include "renderer/edge_function.h"
+#include "renderer/sample_locations.h"
 #include "renderer/test_scene.h"
 
 namespace fillrule::renderer {
 namespace {
 
-// Whether a pixel's centre, moved right by an infinitesimal and down by its square, is inside of the triangle: the
+constexpr FixedPosition kCentre = pixel_centre_fixed(8);
+
+// Whether a pixel's sample, moved right by an infinitesimal and down by its square, is inside of the triangle: the
 // meaning of the top-left rule, without edge classes. All in exact integers.
-bool covers(const std::array<FixedPosition, 3>& triangle, int32_t x, int32_t y, uint32_t bits) {
-  const int64_t half = half_pixel_fixed(bits);
-  const int64_t x_sample = (int64_t{x} << bits) + half;
-  const int64_t y_sample = (int64_t{y} << bits) + half;
+bool covers(const std::array<FixedPosition, 3>& triangle, int32_t x, int32_t y, const FixedPosition& sample,
+            uint32_t bits) {
+  const int64_t x_sample = (int64_t{x} << bits) + sample.x_fixed;
+  const int64_t y_sample = (int64_t{y} << bits) + sample.y_fixed;
   int positive = 0;
   int negative = 0;
   for (size_t i = 0; i < 3; ++i) {
@@ -48,15 +51,16 @@ std::vector<bool> pixels_of(const TileCoverage& coverage) {
   return pixels;
 }
 
-void expect_exact(const std::array<FixedPosition, 3>& triangle, const PixelRect& rect, uint32_t bits) {
+void expect_exact(const std::array<FixedPosition, 3>& triangle, const PixelRect& rect, const FixedPosition& sample,
+                  uint32_t bits) {
   TileCoverage coverage;
-  cover(triangle, bits, rect, coverage);
+  cover(triangle, sample, bits, rect, coverage);
   const std::vector<bool> pixels = pixels_of(coverage);
   for (int32_t y = 0; y < kTileSize; ++y) {
     for (int32_t x = 0; x < kTileSize; ++x) {
       const bool in_rect = x >= rect.left && x < rect.right && y >= rect.top && y < rect.bottom;
       const bool expected =
-          in_rect && doubled_area(triangle[0], triangle[1], triangle[2]) != 0 && covers(triangle, x, y, bits);
+          in_rect && doubled_area(triangle[0], triangle[1], triangle[2]) != 0 && covers(triangle, x, y, sample, bits);
       ASSERT_EQ(pixels[static_cast<size_t>(y * kTileSize + x)], expected) << x << ", " << y;
     }
   }
@@ -87,7 +91,8 @@ TEST(Cover, EqualsTheDefinitionForRandomTriangles) {
       rect.right = rect.left + 1 + static_cast<int32_t>(random.bits() % static_cast<uint32_t>(64 - rect.left));
       rect.bottom = rect.top + 1 + static_cast<int32_t>(random.bits() % static_cast<uint32_t>(64 - rect.top));
     }
-    expect_exact(triangle, rect, bits);
+    const std::span<const SampleLocation> locations = standard_sample_locations(1U << random.bits() % 5);
+    expect_exact(triangle, rect, locations[random.bits() % locations.size()].fixed(bits), bits);
     if (::testing::Test::HasFatalFailure()) {
       return;
     }
@@ -97,9 +102,9 @@ TEST(Cover, EqualsTheDefinitionForRandomTriangles) {
 TEST(Cover, TheLargestCoordinatesDoNotOverflow) {
   constexpr int32_t kLimit = 1 << 29;
   const PixelRect tile{0, 0, kTileSize, kTileSize};
-  expect_exact({{{-kLimit, -kLimit}, {kLimit, -kLimit}, {-kLimit, kLimit}}}, tile, 8);
-  expect_exact({{{kLimit, kLimit}, {kLimit, -kLimit}, {-kLimit, kLimit}}}, tile, 8);
-  expect_exact({{{-kLimit, -kLimit}, {kLimit, kLimit}, {128 + 256 * 40, 127 + 256 * 40}}}, tile, 8);
+  expect_exact({{{-kLimit, -kLimit}, {kLimit, -kLimit}, {-kLimit, kLimit}}}, tile, kCentre, 8);
+  expect_exact({{{kLimit, kLimit}, {kLimit, -kLimit}, {-kLimit, kLimit}}}, tile, kCentre, 8);
+  expect_exact({{{-kLimit, -kLimit}, {kLimit, kLimit}, {128 + 256 * 40, 127 + 256 * 40}}}, tile, kCentre, 8);
 }
 
 // An axis-aligned square on pixel centres, its diagonal too: in each of the four mirrorings and three rotations of
@@ -116,7 +121,7 @@ TEST(Cover, TopLeftRuleInEveryMirroringAndRotation) {
       std::reverse(triangle.begin(), triangle.end());
     }
     TileCoverage coverage;
-    cover(triangle, 8, {0, 0, kTileSize, kTileSize}, coverage);
+    cover(triangle, kCentre, 8, {0, 0, kTileSize, kTileSize}, coverage);
     return pixels_of(coverage);
   };
   const auto diagonal = [&](bool is_falling, int half, int rotation, bool is_reversed) {
@@ -149,13 +154,13 @@ TEST(Cover, AFoldedPolygonCountsByParity) {
   // A fan whose second piece is turned over and lies within the first.
   const std::array<FixedPosition, 4> outline = {{{0, 0}, {40 * 256, 0}, {40 * 256, 40 * 256}, {30 * 256, 10 * 256}}};
   TileCoverage coverage;
-  cover(outline, 8, {0, 0, kTileSize, kTileSize}, coverage);
+  cover(outline, kCentre, 8, {0, 0, kTileSize, kTileSize}, coverage);
   const std::vector<bool> pixels = pixels_of(coverage);
   // The same by the way of small rectangles.
   std::vector<bool> pixels_of_blocks(pixels.size());
   for (int32_t y = 0; y < kTileSize; y += kBlockSize) {
     for (int32_t x = 0; x < kTileSize; x += kBlockSize) {
-      cover(outline, 8, {x, y, x + kBlockSize, y + kBlockSize}, coverage);
+      cover(outline, kCentre, 8, {x, y, x + kBlockSize, y + kBlockSize}, coverage);
       const std::vector<bool> block = pixels_of(coverage);
       for (size_t pixel = 0; pixel < block.size(); ++pixel) {
         pixels_of_blocks[pixel] = pixels_of_blocks[pixel] || block[pixel];
@@ -168,7 +173,7 @@ TEST(Cover, AFoldedPolygonCountsByParity) {
   size_t count = 0;
   for (int32_t y = 0; y < kTileSize; ++y) {
     for (int32_t x = 0; x < kTileSize; ++x) {
-      const bool expected = covers(outer, x, y, 8) != covers(inner, x, y, 8);
+      const bool expected = covers(outer, x, y, kCentre, 8) != covers(inner, x, y, kCentre, 8);
       ASSERT_EQ(pixels[static_cast<size_t>(y * kTileSize + x)], expected);
       count += expected ? 1U : 0U;
     }

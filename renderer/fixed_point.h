@@ -36,15 +36,16 @@ inline int32_t snap(double coordinate_framebuffer, uint32_t subpixel_bits) {
   return static_cast<int32_t>(std::bit_cast<int64_t>(subpixels + kNoFraction) - std::bit_cast<int64_t>(kNoFraction));
 }
 
-// The distance of a pixel's centre from its left or top border.
-inline constexpr int32_t half_pixel_fixed(uint32_t subpixel_bits) {
-  return 1 << (subpixel_bits - 1);
+// The centre within a pixel, from its left and top border.
+inline constexpr FixedPosition pixel_centre_fixed(uint32_t subpixel_bits) {
+  return {1 << (subpixel_bits - 1), 1 << (subpixel_bits - 1)};
 }
 
-// The first pixel whose centre is at or after the coordinate. A range [min, max) of coordinates holds the centres of
-// the pixels [first_pixel(min), first_pixel(max)): the half-open range that the top-left rule asks for.
-inline constexpr int32_t first_pixel(int32_t coordinate_fixed, uint32_t subpixel_bits) {
-  return (coordinate_fixed + half_pixel_fixed(subpixel_bits) - 1) >> subpixel_bits;
+// The first pixel whose sample, at `sample_fixed` within each pixel, is at or after the coordinate. A range [min,
+// max) of coordinates holds the samples of the pixels [first_pixel(min), first_pixel(max)): the half-open range that
+// the top-left rule asks for.
+inline constexpr int32_t first_pixel(int32_t coordinate_fixed, int32_t sample_fixed, uint32_t subpixel_bits) {
+  return (coordinate_fixed - sample_fixed + (1 << subpixel_bits) - 1) >> subpixel_bits;
 }
 
 // Whole pixels, left and top inside, right and bottom outside.
@@ -61,6 +62,11 @@ struct PixelRect {
 
 inline PixelRect intersection(const PixelRect& a, const PixelRect& b) {
   return {std::max(a.left, b.left), std::max(a.top, b.top), std::min(a.right, b.right), std::min(a.bottom, b.bottom)};
+}
+
+// A rectangle around both.
+inline PixelRect hull(const PixelRect& a, const PixelRect& b) {
+  return {std::min(a.left, b.left), std::min(a.top, b.top), std::max(a.right, b.right), std::max(a.bottom, b.bottom)};
 }
 
 }  // namespace fillrule::renderer

@@ -36,14 +36,14 @@ TEST(Snap, ClampsToTheGuardBand) {
 }
 
 TEST(FirstPixel, HoldsCentresInAHalfOpenRange) {
-  EXPECT_EQ(first_pixel(0, 8), 0);
-  EXPECT_EQ(first_pixel(127, 8), 0);
-  EXPECT_EQ(first_pixel(128, 8), 0);  // on the centre
-  EXPECT_EQ(first_pixel(129, 8), 1);
-  EXPECT_EQ(first_pixel(-128, 8), -1);
-  EXPECT_EQ(first_pixel(-127, 8), 0);
-  EXPECT_EQ(first_pixel(8, 4), 0);
-  EXPECT_EQ(first_pixel(9, 4), 1);
+  EXPECT_EQ(first_pixel(0, 128, 8), 0);
+  EXPECT_EQ(first_pixel(127, 128, 8), 0);
+  EXPECT_EQ(first_pixel(128, 128, 8), 0);  // on the centre
+  EXPECT_EQ(first_pixel(129, 128, 8), 1);
+  EXPECT_EQ(first_pixel(-128, 128, 8), -1);
+  EXPECT_EQ(first_pixel(-127, 128, 8), 0);
+  EXPECT_EQ(first_pixel(8, 8, 4), 0);
+  EXPECT_EQ(first_pixel(9, 8, 4), 1);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ double determinant_scale(const Vector& a, const Vector& b, const Vector& c) {
 }
 
 // One vertex everywhere: the first that can be seen.
-void set_constant(TriangleInterpolation& interpolation) {
+void set_constant(PrimitiveInterpolation& interpolation) {
   size_t vertex = 0;
   while (vertex < 2 && interpolation.w[vertex] <= 0) {
     ++vertex;
@@ -49,10 +49,10 @@ WindowPlane weighted_sum(const std::array<WindowPlane, 3>& planes, const std::ar
 
 }  // namespace
 
-TriangleInterpolation make_interpolation(const VkViewport& viewport,
-                                         const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
-                                         int32_t anchor_y) {
-  TriangleInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y};
+PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                          const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
+                                          int32_t anchor_y) {
+  PrimitiveInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y};
   std::array<Vector, 3> rows;
   std::array<double, 3> z{};
   for (size_t i = 0; i < 3; ++i) {
@@ -77,14 +77,13 @@ TriangleInterpolation make_interpolation(const VkViewport& viewport,
 
   WindowPlane& depth = interpolation.depth_framebuffer;
   depth = weighted_sum(interpolation.per_w, z);
-  const double depth_range = double{viewport.maxDepth} - double{viewport.minDepth};
-  depth.at_anchor = depth.at_anchor * depth_range + double{viewport.minDepth};
-  depth.step_x *= depth_range;
-  depth.step_y *= depth_range;
+  depth.at_anchor = depth.at_anchor * depth_transform.scale + depth_transform.offset;
+  depth.step_x *= depth_transform.scale;
+  depth.step_y *= depth_transform.scale;
   return interpolation;
 }
 
-PixelWeights TriangleInterpolation::constrained_weights(const std::array<double, 3>& l) const {
+PixelWeights PrimitiveInterpolation::constrained_weights(const std::array<double, 3>& l) const {
   std::array<double, 3> weights{};
   for (size_t i = 0; i < 3; ++i) {
     weights[i] = std::max(0.0, l[i]);

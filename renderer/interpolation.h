@@ -1,5 +1,6 @@
-// Values of a triangle at a pixel: depth, and the weights of its vertices for smooth and noperspective varyings
-// (Vulkan, "Basic Polygon Rasterization": barycentric coordinates; Olano and Greer 1997, homogeneous rasterization).
+// Values of a primitive at a point of the window: depth, and the weights of its vertices for smooth and noperspective
+// varyings (Vulkan, "Basic Polygon Rasterization": barycentric coordinates; Olano and Greer 1997, homogeneous
+// rasterization).
 //
 // For the original triangle, neither clipped nor snapped, with rows (X, Y, w), X/w and Y/w framebuffer coordinates in
 // pixels, the adjugate of the 3x3 matrix divided by its determinant gives three functions l_i, linear in the window:
@@ -7,6 +8,9 @@
 //   sum of l_i = 1/w                     l_i / sum are the perspective-correct ones (smooth)
 //   sum of l_i * z_i = z / w             the depth, exactly linear
 // No vertex needs w > 0 for that. All in double precision, anchored at a pixel centre near the triangle.
+//
+// A line and a point have such planes too, and so need no other code for their fragments: with t the projection onto
+// the line, l = ((1 - t) / w_0, t / w_1, 0); at a point l = (1 / w_0, 0, 0). An unused vertex has w = 1.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +22,7 @@
 #include "cases/model/case.h"
 #include "renderer/depth.h"
 #include "renderer/fixed_point.h"
+#include "renderer/sample_locations.h"
 
 namespace fillrule::renderer {
 
@@ -48,21 +53,21 @@ inline float interpolate(float value0, float value1, float value2, const VertexW
   return rounded;
 }
 
-struct TriangleInterpolation {
+struct PrimitiveInterpolation {
   int32_t anchor_x = 0;  // pixels
   int32_t anchor_y = 0;
   std::array<WindowPlane, 3> per_w;  // l_i
   std::array<double, 3> w{};         // clip space
-  WindowPlane depth_framebuffer;     // before rounding and clamping
+  WindowPlane depth_framebuffer;     // before clamping and rounding
 
-  [[nodiscard]] float depth_d32_at(int32_t x, int32_t y) const {
-    return depth_d32(depth_framebuffer.at(x - anchor_x, y - anchor_y));
+  // All of these: at so much from the centre of the pixel (x, y).
+  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
   }
 
-  // At the pixel's centre.
-  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y) const {
-    const double x_from_anchor = x - anchor_x;
-    const double y_from_anchor = y - anchor_y;
+  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    const double x_from_anchor = x - anchor_x + from_centre.x;
+    const double y_from_anchor = y - anchor_y + from_centre.y;
     const std::array<double, 3> l = {per_w[0].at(x_from_anchor, y_from_anchor),
                                      per_w[1].at(x_from_anchor, y_from_anchor),
                                      per_w[2].at(x_from_anchor, y_from_anchor)};
@@ -79,15 +84,15 @@ struct TriangleInterpolation {
   }
 
  private:
-  // For pixels that snapping has moved so far out of a sliver, or beyond the horizon 1/w = 0, that extrapolated
-  // weights mean nothing: the nearest weights inside the triangle.
+  // For points that snapping has moved so far out of a sliver, or beyond the horizon 1/w = 0, that extrapolated
+  // weights mean nothing: the nearest weights inside the primitive.
   [[nodiscard]] PixelWeights constrained_weights(const std::array<double, 3>& l) const;
 };
 
 // `anchor` should be a pixel near the triangle. If the triangle is too thin for its plane equations to mean anything,
 // its values are those of one vertex throughout.
-TriangleInterpolation make_interpolation(const VkViewport& viewport,
-                                         const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
-                                         int32_t anchor_y);
+PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                          const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
+                                          int32_t anchor_y);
 
 }  // namespace fillrule::renderer

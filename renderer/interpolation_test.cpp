@@ -152,21 +152,21 @@ constexpr VkViewport kViewport{.width = 64, .height = 64, .maxDepth = 1};
 
 TEST(Interpolation, ATriangleOnALineHasTheValuesOfItsFirstVisibleVertex) {
   std::array<ClipPosition, 3> positions = {{{-0.5F, -0.5F, 0.25F, 1}, {0, 0, 1, 2}, {0.5F, 0.5F, 0.75F, 1}}};
-  TriangleInterpolation interpolation = make_interpolation(kViewport, positions, 20, 20);
-  EXPECT_EQ(interpolation.depth_d32_at(40, 40), 0.25F);
+  PrimitiveInterpolation interpolation = make_interpolation(kViewport, {}, positions, 20, 20);
+  EXPECT_EQ(interpolation.depth_at(40, 40), 0.25);
   EXPECT_EQ(interpolation.weights_at(40, 40).smooth, (VertexWeights{1, 0, 0}));
   EXPECT_EQ(interpolation.weights_at(40, 40).noperspective, (VertexWeights{1, 0, 0}));
   positions[0][3] = -1;
   positions[0][0] = 0.5F;
   positions[0][1] = 0.5F;
-  interpolation = make_interpolation(kViewport, positions, 20, 20);
-  EXPECT_EQ(interpolation.depth_d32_at(40, 40), 0.5F);
+  interpolation = make_interpolation(kViewport, {}, positions, 20, 20);
+  EXPECT_EQ(interpolation.depth_at(40, 40), 0.5);
   EXPECT_EQ(interpolation.weights_at(40, 40).smooth, (VertexWeights{0, 1, 0}));
 }
 
 TEST(Interpolation, FarOutsideOfTheTriangleSmoothWeightsStayBounded) {
   const std::array<ClipPosition, 3> positions = {{{-0.5F, -0.5F, 0.25F, 1}, {1, -1, 1, 2}, {-2, 2, 0.75F, 4}}};
-  const TriangleInterpolation interpolation = make_interpolation(kViewport, positions, 20, 20);
+  const PrimitiveInterpolation interpolation = make_interpolation(kViewport, {}, positions, 20, 20);
   // 1/w = 0 is crossed among these.
   for (int32_t i = -4000; i < 4000; i += 7) {
     const PixelWeights weights = interpolation.weights_at(i, i / 2);
@@ -210,7 +210,7 @@ TEST(Interpolation, ATriangleThinnerThanTheSnapHasTheValuesOfItsVertices) {
 TEST(Interpolation, ASmallWeightKeepsItsDigits) {
   const float far = 0x1p40F;
   const std::array<ClipPosition, 3> positions = {{{-far, -far, 0, far}, {1, -1, 0, 1}, {-1, 1, 0, 1}}};
-  const TriangleInterpolation interpolation = make_interpolation(kViewport, positions, 32, 32);
+  const PrimitiveInterpolation interpolation = make_interpolation(kViewport, {}, positions, 32, 32);
   // The window barycentric coordinates at the centre of pixel (16, 16), and from them the weight of vertex 0.
   const double b1 = 16.5 / 64;
   const double b0 = 1 - 2 * b1;

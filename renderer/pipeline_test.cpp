@@ -43,9 +43,12 @@ TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {
   // Drawn one by one, in order.
   TestPlanes one_by_one = cleared_planes(scene);
   TestScene single = scene;
-  for (uint32_t i = 0; i < 6000; ++i) {
-    single.positions.assign(scene.positions.begin() + 3 * i, scene.positions.begin() + 3 * i + 3);
-    single.values.assign(scene.values.begin() + 3 * i, scene.values.begin() + 3 * i + 3);
+  constexpr uint32_t kDrawnOneByOne = 301;
+  constexpr size_t kVertices = 3;
+  for (uint32_t i = 0; i < kDrawnOneByOne; ++i) {
+    const auto first_vertex = static_cast<std::ptrdiff_t>(i * kVertices);
+    single.positions.assign(scene.positions.begin() + first_vertex, scene.positions.begin() + first_vertex + 3);
+    single.values.assign(scene.values.begin() + first_vertex, scene.values.begin() + first_vertex + 3);
     const TestPlanes before = one_by_one;
     ASSERT_TRUE(render_into(single, one_by_one));
     for (size_t pixel = 0; pixel < before.hits.size(); ++pixel) {
@@ -53,13 +56,10 @@ TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {
         one_by_one.owner[pixel] = i;
       }
     }
-    if (i == 300) {
-      break;
-    }
   }
   TestScene first = scene;
-  first.positions.resize(301 * 3);
-  first.values.resize(301 * 3);
+  first.positions.resize(kDrawnOneByOne * kVertices);
+  first.values.resize(kDrawnOneByOne * kVertices);
   EXPECT_TRUE(same_bytes(render(first), one_by_one));
   EXPECT_EQ(all.hits.size(), one_by_one.hits.size());
 }
@@ -175,11 +175,11 @@ TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
   const auto anchor_of = [](const VkRect2D& scissor, uint32_t size) {
     TestScene scene = everything(64, 64);
     scene.state.scissor = scissor;
-    const Result<PreparedDraw> prepared =
-        prepare_draw({.target_width = size, .target_height = size, .state = scene.state, .vertex_count = 3}, {});
+    const Result<PreparedDraw> prepared = prepare_draw(
+        {.target_width = size, .target_height = size, .vertices = {.vertex_count = 3}, .state = scene.state}, {});
     EXPECT_TRUE(prepared);
     const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
-    const TriangleInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);
+    const PrimitiveInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);
     return std::pair(interpolation.anchor_x, interpolation.anchor_y);
   };
   const auto whole = anchor_of({{0, 0}, {64, 64}}, 64);

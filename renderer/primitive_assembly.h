@@ -1,50 +1,92 @@
-// Primitive assembly (Vulkan, "Primitive Topologies", "Provoking Vertex"): which vertices form primitive i.
+// Primitive assembly (Vulkan, "Primitive Topologies", "Provoking Vertex", "Primitive restart"): which vertices form
+// primitive i.
 #pragma once
 
 #include <array>
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "cases/model/case.h"
+#include "cases/model/result.h"
 
 namespace fillrule::renderer {
 
-// The complete triangles that so many vertices (or indices) form; incomplete ones are dropped.
-constexpr uint32_t triangle_count(VkPrimitiveTopology topology, uint32_t elements) {
-  if (topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST) {
-    return elements / 3;
-  }
-  return elements < 3 ? 0 : elements - 2;
-}
-
-// The triangle's positions in the stream of vertices (or indices), the provoking one (Vulkan's default: the first)
-// first. Every second triangle of a strip exchanges its last two, so that all have the winding of the first.
-constexpr std::array<uint32_t, 3> triangle_elements(VkPrimitiveTopology topology, uint32_t primitive) {
-  switch (topology) {
-    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP: {
-      const uint32_t odd = primitive & 1U;
-      return {primitive, primitive + 1 + odd, primitive + 2 - odd};
-    }
-    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN:
-      return {primitive + 1, primitive + 2, 0};
-    default:
-      return {3 * primitive, 3 * primitive + 1, 3 * primitive + 2};
-  }
-}
-
 using Indices = std::optional<std::span<const uint32_t>>;
 
-// The triangle's vertices, the provoking one first.
-constexpr std::array<uint32_t, 3> triangle_vertices(VkPrimitiveTopology topology, const Indices& indices,
-                                                    uint32_t primitive) {
-  std::array<uint32_t, 3> vertices = triangle_elements(topology, primitive);
-  if (indices) {
-    for (uint32_t& vertex : vertices) {
-      vertex = (*indices)[vertex];
+// Triangle i's positions in the stream of vertices (or indices), the provoking one first. Every second triangle of a
+// strip exchanges two of its vertices, so that all have the winding of the first. Which two, Vulkan makes depend on
+// the provoking mode; going round from the provoking vertex, it is the same.
+constexpr std::array<uint32_t, 3> triangle_elements(VkPrimitiveTopology topology, VkProvokingVertexModeEXT provoking,
+                                                    uint32_t triangle) {
+  const bool is_last = provoking == VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
+  const auto from = [](uint32_t first, uint32_t second, uint32_t third, uint32_t start) {
+    const std::array<uint32_t, 3> cycle{first, second, third};
+    return std::array<uint32_t, 3>{cycle[start], cycle[(start + 1) % 3], cycle[(start + 2) % 3]};
+  };
+  switch (topology) {
+    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP: {
+      const uint32_t odd = triangle & 1U;
+      return from(triangle, triangle + 1 + odd, triangle + 2 - odd, is_last ? 2 - odd : 0);
     }
+    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN:
+      return from(triangle + 1, triangle + 2, 0, is_last ? 1 : 0);
+    default:
+      return from(3 * triangle, 3 * triangle + 1, 3 * triangle + 2, is_last ? 2 : 0);
   }
-  return vertices;
 }
+
+// The vertices (or indices) of a draw, in their order.
+struct VertexStream {
+  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  uint32_t vertex_count = 0;
+  Indices indices;            // absent: vertices are used in their order
+  int32_t vertex_offset = 0;  // added to every index
+  // Between restarts: in each run the strip or fan, and the parity of the strip, begins anew. Indices outside of all
+  // runs are not looked at. Absent: one run of everything.
+  std::optional<std::span<const ElementRun>> runs;
+};
+
+class PrimitiveAssembly {
+ public:
+  PrimitiveAssembly(const VertexStream& stream, VkProvokingVertexModeEXT provoking_vertex);
+
+  // The complete primitives; incomplete ones at the end of a run are dropped. Numbers run on from run to run.
+  [[nodiscard]] uint32_t count() const { return count_; }
+
+  // The vertices of triangle i, the provoking one first.
+  [[nodiscard]] std::array<uint32_t, 3> triangle(uint32_t primitive) const {
+    const Run& run = runs_.size() == 1 ? runs_.front() : run_of(primitive);
+    std::array<uint32_t, 3> vertices =
+        triangle_elements(topology_, provoking_vertex_, primitive - run.first_primitive);
+    for (uint32_t& vertex : vertices) {
+      vertex = vertex_at(run.first_element + vertex);
+    }
+    return vertices;
+  }
+
+ private:
+  struct Run {
+    uint32_t first_element = 0;
+    uint32_t first_primitive = 0;
+  };
+
+  [[nodiscard]] const Run& run_of(uint32_t primitive) const;
+
+  [[nodiscard]] uint32_t vertex_at(uint32_t element) const {
+    return indices_ ? (*indices_)[element] + vertex_offset_ : element;
+  }
+
+  VkPrimitiveTopology topology_;
+  VkProvokingVertexModeEXT provoking_vertex_;
+  Indices indices_;
+  uint32_t vertex_offset_;  // modulo 2^32
+  std::vector<Run> runs_;   // those with a complete primitive
+  uint32_t count_ = 0;
+};
+
+// Refuses an index without a vertex.
+Result<void> check_indices(const VertexStream& stream);
 
 }  // namespace fillrule::renderer

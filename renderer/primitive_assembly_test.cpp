@@ -7,36 +7,89 @@ namespace {
 
 using ::testing::ElementsAre;
 
-TEST(TriangleCount, CompleteTrianglesOnly) {
-  constexpr auto kList = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  EXPECT_EQ(triangle_count(kList, 0), 0U);
-  EXPECT_EQ(triangle_count(kList, 5), 1U);
-  EXPECT_EQ(triangle_count(kList, 6), 2U);
-  for (const auto topology : {VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN}) {
-    EXPECT_EQ(triangle_count(topology, 0), 0U);
-    EXPECT_EQ(triangle_count(topology, 2), 0U);
-    EXPECT_EQ(triangle_count(topology, 3), 1U);
-    EXPECT_EQ(triangle_count(topology, 5), 3U);
+constexpr auto kList = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+constexpr auto kStrip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+constexpr auto kFan = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
+constexpr auto kFirst = VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT;
+constexpr auto kLast = VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
+
+uint32_t count(VkPrimitiveTopology topology, uint32_t vertices) {
+  return PrimitiveAssembly({.topology = topology, .vertex_count = vertices}, kFirst).count();
+}
+
+TEST(PrimitiveAssembly, CompleteTrianglesOnly) {
+  EXPECT_EQ(count(kList, 0), 0U);
+  EXPECT_EQ(count(kList, 5), 1U);
+  EXPECT_EQ(count(kList, 6), 2U);
+  for (const auto topology : {kStrip, kFan}) {
+    EXPECT_EQ(count(topology, 0), 0U);
+    EXPECT_EQ(count(topology, 2), 0U);
+    EXPECT_EQ(count(topology, 3), 1U);
+    EXPECT_EQ(count(topology, 5), 3U);
   }
 }
 
-TEST(TriangleElements, ProvokingVertexFirstInVulkansOrder) {
-  constexpr auto kList = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  constexpr auto kStrip = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
-  constexpr auto kFan = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN;
-  EXPECT_THAT(triangle_elements(kList, 2), ElementsAre(6U, 7U, 8U));
-  EXPECT_THAT(triangle_elements(kStrip, 0), ElementsAre(0U, 1U, 2U));
-  EXPECT_THAT(triangle_elements(kStrip, 1), ElementsAre(1U, 3U, 2U));
-  EXPECT_THAT(triangle_elements(kStrip, 2), ElementsAre(2U, 3U, 4U));
-  EXPECT_THAT(triangle_elements(kFan, 0), ElementsAre(1U, 2U, 0U));
-  EXPECT_THAT(triangle_elements(kFan, 3), ElementsAre(4U, 5U, 0U));
+TEST(TriangleElements, TheFirstVertexProvoking) {
+  EXPECT_THAT(triangle_elements(kList, kFirst, 2), ElementsAre(6U, 7U, 8U));
+  EXPECT_THAT(triangle_elements(kStrip, kFirst, 0), ElementsAre(0U, 1U, 2U));
+  EXPECT_THAT(triangle_elements(kStrip, kFirst, 1), ElementsAre(1U, 3U, 2U));
+  EXPECT_THAT(triangle_elements(kStrip, kFirst, 2), ElementsAre(2U, 3U, 4U));
+  EXPECT_THAT(triangle_elements(kFan, kFirst, 0), ElementsAre(1U, 2U, 0U));
+  EXPECT_THAT(triangle_elements(kFan, kFirst, 3), ElementsAre(4U, 5U, 0U));
 }
 
-TEST(TriangleVertices, GoThroughTheIndices) {
+// Vulkan's orders (i, i + 1, i + 2), odd (i + 1, i, i + 2), and (0, i + 1, i + 2), begun at the last vertex.
+TEST(TriangleElements, TheLastVertexProvoking) {
+  EXPECT_THAT(triangle_elements(kList, kLast, 2), ElementsAre(8U, 6U, 7U));
+  EXPECT_THAT(triangle_elements(kStrip, kLast, 0), ElementsAre(2U, 0U, 1U));
+  EXPECT_THAT(triangle_elements(kStrip, kLast, 1), ElementsAre(3U, 2U, 1U));
+  EXPECT_THAT(triangle_elements(kStrip, kLast, 2), ElementsAre(4U, 2U, 3U));
+  EXPECT_THAT(triangle_elements(kFan, kLast, 0), ElementsAre(2U, 0U, 1U));
+  EXPECT_THAT(triangle_elements(kFan, kLast, 3), ElementsAre(5U, 0U, 4U));
+}
+
+TEST(PrimitiveAssembly, GoesThroughTheIndicesAndTheOffset) {
   const std::array<uint32_t, 4> indices = {7, 5, 3, 1};
   const Indices span = std::span<const uint32_t>(indices);
-  EXPECT_THAT(triangle_vertices(VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, span, 1), ElementsAre(5U, 1U, 3U));
-  EXPECT_THAT(triangle_vertices(VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP, std::nullopt, 1), ElementsAre(1U, 3U, 2U));
+  const auto second = [&](const Indices& chosen, int32_t offset) {
+    return PrimitiveAssembly({.topology = kStrip, .vertex_count = 4, .indices = chosen, .vertex_offset = offset},
+                             kFirst)
+        .triangle(1);
+  };
+  EXPECT_THAT(second(span, 0), ElementsAre(5U, 1U, 3U));
+  EXPECT_THAT(second(span, 10), ElementsAre(15U, 11U, 13U));
+  EXPECT_THAT(second(span, -1), ElementsAre(4U, 0U, 2U));
+  EXPECT_THAT(second(std::nullopt, 0), ElementsAre(1U, 3U, 2U));
+}
+
+TEST(PrimitiveAssembly, EachRunBeginsAnewButNumbersRunOn) {
+  const std::array<uint32_t, 11> indices = {0, 1, 2, 3, 99, 4, 5, 99, 6, 7, 8};
+  const std::array<ElementRun, 3> runs{{{0, 4}, {5, 2}, {8, 3}}};
+  const VertexStream stream{
+      .topology = kStrip, .vertex_count = 9, .indices = std::span<const uint32_t>(indices), .runs = runs};
+  EXPECT_TRUE(check_indices(stream));
+  const PrimitiveAssembly assembly(stream, kFirst);
+  ASSERT_EQ(assembly.count(), 3U);
+  EXPECT_THAT(assembly.triangle(0), ElementsAre(0U, 1U, 2U));
+  EXPECT_THAT(assembly.triangle(1), ElementsAre(1U, 3U, 2U));
+  EXPECT_THAT(assembly.triangle(2), ElementsAre(6U, 7U, 8U));
+  VertexStream none = stream;
+  none.runs = std::span<const ElementRun>();
+  EXPECT_EQ(PrimitiveAssembly(none, kFirst).count(), 0U);
+}
+
+TEST(CheckIndices, WithTheOffsetTheyMustBeVertices) {
+  const std::array<uint32_t, 3> indices = {0, 1, 3};
+  const auto is_drawn = [&](uint32_t vertices, int32_t offset) {
+    return check_indices(
+               {.vertex_count = vertices, .indices = std::span<const uint32_t>(indices), .vertex_offset = offset})
+        .has_value();
+  };
+  EXPECT_TRUE(is_drawn(4, 0));
+  EXPECT_FALSE(is_drawn(3, 0));
+  EXPECT_TRUE(is_drawn(6, 2));
+  EXPECT_FALSE(is_drawn(6, 3));
+  EXPECT_FALSE(is_drawn(6, -1));
 }
 
 }  // namespace

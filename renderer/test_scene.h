@@ -13,18 +13,23 @@
 
 namespace fillrule::renderer {
 
-// Row by row; every value but `hits` is that of the last fragment.
+// Row by row, the samples of a pixel side by side; every value but `hits` is that of the last fragment.
 struct TestPlanes {
   uint32_t width = 0;
+  uint32_t samples = 1;
   std::vector<uint32_t> hits;
   std::vector<uint32_t> owner;  // kNobody where nothing landed
   std::vector<uint32_t> front_facing;
   std::vector<float> depth;
   std::vector<float> smooth;
   std::vector<float> noperspective;
+  std::vector<float> centroid;   // noperspective too
+  std::vector<float> at_sample;  // likewise: at the fragment's position
   std::vector<float> flat;
 
-  [[nodiscard]] size_t pixel(uint32_t x, uint32_t y) const { return size_t{y} * width + x; }
+  [[nodiscard]] size_t pixel(uint32_t x, uint32_t y, uint32_t sample = 0) const {
+    return (size_t{y} * width + x) * samples + sample;
+  }
 };
 
 inline constexpr uint32_t kNobody = 0xFFFFFFFFU;
@@ -32,11 +37,14 @@ inline constexpr uint32_t kNobody = 0xFFFFFFFFU;
 struct TestScene {
   uint32_t width = 64;
   uint32_t height = 64;
+  uint32_t samples = 1;
+  bool sample_shading = false;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   RasterState state;
   std::vector<ClipPosition> positions;
   std::vector<float> values;  // one varying a vertex; 0 where absent
   std::optional<std::vector<uint32_t>> indices;
+  VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   float clear_depth = 1;
 
   // The viewport and the scissor are the target.
@@ -55,8 +63,8 @@ struct TestScene {
 
 class RecordingProgram {
  public:
-  struct TriangleData {
-    ShadedTriangle triangle;
+  struct PrimitiveData {
+    ShadedPrimitive primitive;
     std::array<float, 3> values{};
   };
 
@@ -64,23 +72,33 @@ class RecordingProgram {
 
   [[nodiscard]] ClipPosition position(uint32_t vertex) const { return scene_.positions[vertex]; }
 
-  [[nodiscard]] TriangleData triangle_data(const ShadedTriangle& triangle) const {
-    TriangleData data{.triangle = triangle};
+  [[nodiscard]] PrimitiveData primitive_data(const ShadedPrimitive& primitive) const {
+    PrimitiveData data{.primitive = primitive};
     for (size_t i = 0; i < 3; ++i) {
-      data.values[i] = scene_.values.empty() ? 0.0F : scene_.values[triangle.vertices[i]];
+      data.values[i] = scene_.values.empty() ? 0.0F : scene_.values[primitive.vertices[i]];
     }
     return data;
   }
 
-  void fragment(const TriangleData& data, const Fragment& fragment) const {
-    const size_t pixel = planes_.pixel(static_cast<uint32_t>(fragment.x), static_cast<uint32_t>(fragment.y));
+  void fragment(const PrimitiveData& data, const Fragment& fragment) const {
+    const auto value_with = [&](const VertexWeights& weights) {
+      return interpolate(data.values[0], data.values[1], data.values[2], weights);
+    };
     const PixelWeights weights = fragment.weights();
-    ++planes_.hits[pixel];
-    planes_.owner[pixel] = data.triangle.primitive;
-    planes_.front_facing[pixel] = data.triangle.front_facing ? 1 : 0;
-    planes_.smooth[pixel] = interpolate(data.values[0], data.values[1], data.values[2], weights.smooth);
-    planes_.noperspective[pixel] = interpolate(data.values[0], data.values[1], data.values[2], weights.noperspective);
-    planes_.flat[pixel] = data.values[0];
+    for (uint32_t sample = 0; sample < planes_.samples; ++sample) {
+      if ((fragment.samples >> sample & 1U) == 0) {
+        continue;
+      }
+      const size_t i = planes_.pixel(static_cast<uint32_t>(fragment.x), static_cast<uint32_t>(fragment.y), sample);
+      ++planes_.hits[i];
+      planes_.owner[i] = data.primitive.primitive;
+      planes_.front_facing[i] = data.primitive.front_facing ? 1 : 0;
+      planes_.smooth[i] = value_with(weights.smooth);
+      planes_.noperspective[i] = value_with(weights.noperspective);
+      planes_.centroid[i] = value_with(fragment.weights(fragment.centroid).noperspective);
+      planes_.at_sample[i] = value_with(fragment.weights(fragment.position).noperspective);
+      planes_.flat[i] = data.values[0];
+    }
   }
 
  private:
@@ -91,23 +109,27 @@ class RecordingProgram {
 inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, const Options& options = {}) {
   return draw({.target_width = scene.width,
                .target_height = scene.height,
-               .topology = scene.topology,
+               .samples = scene.samples,
+               .sample_shading = scene.sample_shading,
+               .vertices = {.topology = scene.topology,
+                            .vertex_count = static_cast<uint32_t>(scene.positions.size()),
+                            .indices = scene.indices ? Indices(*scene.indices) : std::nullopt},
                .state = scene.state,
-               .vertex_count = static_cast<uint32_t>(scene.positions.size()),
-               .indices = scene.indices ? Indices(*scene.indices) : std::nullopt,
-               .depth = {planes.depth}},
+               .depth = {planes.depth, scene.depth_format}},
               RecordingProgram(scene, planes), options);
 }
 
 inline TestPlanes cleared_planes(const TestScene& scene) {
-  const size_t pixels = size_t{scene.width} * scene.height;
-  TestPlanes planes{.width = scene.width};
+  const size_t pixels = size_t{scene.width} * scene.height * scene.samples;
+  TestPlanes planes{.width = scene.width, .samples = scene.samples};
   planes.hits.assign(pixels, 0);
   planes.owner.assign(pixels, kNobody);
   planes.front_facing.assign(pixels, 0);
   planes.depth.assign(pixels, scene.clear_depth);
   planes.smooth.assign(pixels, 0);
   planes.noperspective.assign(pixels, 0);
+  planes.centroid.assign(pixels, 0);
+  planes.at_sample.assign(pixels, 0);
   planes.flat.assign(pixels, 0);
   return planes;
 }
@@ -125,7 +147,8 @@ inline bool same_bytes(const std::vector<float>& a, const std::vector<float>& b)
 
 inline bool same_bytes(const TestPlanes& a, const TestPlanes& b) {
   return a.hits == b.hits && a.owner == b.owner && a.front_facing == b.front_facing && same_bytes(a.depth, b.depth) &&
-         same_bytes(a.smooth, b.smooth) && same_bytes(a.noperspective, b.noperspective) && same_bytes(a.flat, b.flat);
+         same_bytes(a.smooth, b.smooth) && same_bytes(a.noperspective, b.noperspective) &&
+         same_bytes(a.centroid, b.centroid) && same_bytes(a.at_sample, b.at_sample) && same_bytes(a.flat, b.flat);
 }
 
 inline size_t count_of(const std::vector<uint32_t>& plane, uint32_t value) {

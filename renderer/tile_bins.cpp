@@ -18,24 +18,24 @@ PixelRect TileGrid::tiles(const PixelRect& pixels) const {
           (pixels.right - 1) / kTileSize + 1 - tiles_.left, (pixels.bottom - 1) / kTileSize + 1 - tiles_.top};
 }
 
-void TriangleChunk::clear() {
-  triangles_.clear();
+void PrimitiveChunk::clear() {
+  primitives_.clear();
   polygon_vertices_.clear();
   bin_entries_.clear();
   large_.clear();
 }
 
-size_t TriangleChunk::cost() const {
-  constexpr size_t kCostOfTriangle = 64;
+size_t PrimitiveChunk::cost() const {
+  constexpr size_t kCostOfPrimitive = 64;
   size_t sum = 0;
-  for (const SetupTriangle& triangle : triangles_) {
-    const PixelRect bounds = triangle.bounds();
-    sum += static_cast<size_t>(bounds.width()) * static_cast<size_t>(bounds.height()) + kCostOfTriangle;
+  for (const SetupPrimitive& primitive : primitives_) {
+    const PixelRect bounds = primitive.bounds();
+    sum += static_cast<size_t>(bounds.width()) * static_cast<size_t>(bounds.height()) + kCostOfPrimitive;
   }
   return sum;
 }
 
-void TriangleChunk::sort_into(const TileGrid& grid) {
+void PrimitiveChunk::sort_into(const TileGrid& grid) {
   const auto for_each_tile = [&](const PixelRect& tiles, const auto& visit) {
     for (int32_t row = tiles.top; row < tiles.bottom; ++row) {
       for (int32_t column = tiles.left; column < tiles.right; ++column) {
@@ -49,23 +49,23 @@ void TriangleChunk::sort_into(const TileGrid& grid) {
 
   // Step 1: the size of each bin.
   bin_begins_.assign(grid.count() + 1, 0);
-  for (uint32_t i = 0; i < triangles_.size(); ++i) {
-    const PixelRect tiles = grid.tiles(triangles_[i].bounds());
+  for (uint32_t i = 0; i < primitives_.size(); ++i) {
+    const PixelRect tiles = grid.tiles(primitives_[i].bounds());
     if (is_large(tiles)) {
       large_.push_back(i);
     } else {
       for_each_tile(tiles, [&](uint32_t tile) { ++bin_begins_[tile]; });
     }
   }
-  // Step 2: the end of each bin; filling it from the last triangle to the first turns it into its beginning.
+  // Step 2: the end of each bin; filling it from the last primitive to the first turns it into its beginning.
   uint32_t sum = 0;
   for (uint32_t& begin : bin_begins_) {
     sum += begin;
     begin = sum;
   }
   bin_entries_.resize(sum);
-  for (auto i = static_cast<uint32_t>(triangles_.size()); i-- > 0;) {
-    const PixelRect tiles = grid.tiles(triangles_[i].bounds());
+  for (auto i = static_cast<uint32_t>(primitives_.size()); i-- > 0;) {
+    const PixelRect tiles = grid.tiles(primitives_[i].bounds());
     if (!is_large(tiles)) {
       for_each_tile(tiles, [&](uint32_t tile) { bin_entries_[--bin_begins_[tile]] = i; });
     }

@@ -1,4 +1,4 @@
-// Bins: for each tile the triangles that may touch it, in the order of submission. A tile's pixels belong to whoever
+// Bins: for each tile the primitives that may touch it, in the order of submission. A tile's pixels belong to whoever
 // draws the tile, so any number of threads gives the same result.
 #pragma once
 
@@ -9,7 +9,7 @@
 
 #include "renderer/coverage.h"
 #include "renderer/fixed_point.h"
-#include "renderer/triangle_setup.h"
+#include "renderer/primitive_setup.h"
 
 namespace fillrule::renderer {
 
@@ -29,48 +29,48 @@ class TileGrid {
   PixelRect tiles_;
 };
 
-// A run of consecutive triangles, set up and sorted into tiles.
-class TriangleChunk {
+// A run of consecutive primitives, set up and sorted into tiles.
+class PrimitiveChunk {
  public:
   void clear();
 
-  // Room that setup_triangle() appends clipped outlines to.
+  // Room for outlines that are no triangles.
   [[nodiscard]] std::vector<FixedPosition>& polygon_vertices() { return polygon_vertices_; }
   [[nodiscard]] const std::vector<FixedPosition>& polygon_vertices() const { return polygon_vertices_; }
 
-  void add(const SetupTriangle& triangle) { triangles_.push_back(triangle); }
+  void add(const SetupPrimitive& primitive) { primitives_.push_back(primitive); }
   void sort_into(const TileGrid& grid);
 
-  // An estimate: the areas of the bounding boxes in pixels, some more for each triangle.
+  // An estimate: the areas of the bounding boxes in pixels, some more for each primitive.
   [[nodiscard]] size_t cost() const;
 
-  // Calls visit(triangle) for each triangle that may touch the tile, in the order of submission.
+  // Calls visit(primitive) for each primitive that may touch the tile, in the order of submission.
   template <typename Visit>
   void for_each_in_tile(uint32_t tile, const Visit& visit) const;
 
  private:
-  // A triangle in more tiles than this is looked at by every tile; so bins stay small.
+  // A primitive in more tiles than this is looked at by every tile; so bins stay small.
   static constexpr uint32_t kMaxTilesInBins = 16;
 
-  std::vector<SetupTriangle> triangles_;
+  std::vector<SetupPrimitive> primitives_;
   std::vector<FixedPosition> polygon_vertices_;
   std::vector<uint32_t> bin_begins_;   // tile by tile, and the end of the last
-  std::vector<uint32_t> bin_entries_;  // indices of triangles_, ascending within a tile
+  std::vector<uint32_t> bin_entries_;  // indices of primitives_, ascending within a tile
   std::vector<uint32_t> large_;        // likewise, those in no bin
 };
 
 template <typename Visit>
-void TriangleChunk::for_each_in_tile(uint32_t tile, const Visit& visit) const {
+void PrimitiveChunk::for_each_in_tile(uint32_t tile, const Visit& visit) const {
   auto small = bin_entries_.begin() + bin_begins_[tile];
   const auto small_end = bin_entries_.begin() + bin_begins_[tile + 1];
   for (const uint32_t large : large_) {
     for (; small != small_end && *small < large; ++small) {
-      visit(triangles_[*small]);
+      visit(primitives_[*small]);
     }
-    visit(triangles_[large]);
+    visit(primitives_[large]);
   }
   for (; small != small_end; ++small) {
-    visit(triangles_[*small]);
+    visit(primitives_[*small]);
   }
 }
 

@@ -7,6 +7,12 @@
 namespace fillrule::renderer {
 namespace {
 
+// The hits of a target in which every pixel is hit once.
+std::vector<uint32_t> all_hit_once(size_t width, size_t height) {
+  std::vector<uint32_t> hits(width * height, 1);
+  return hits;
+}
+
 // Two triangles a cell over a grid of columns x rows cells; position(s, t) places the vertex at s, t in [0, 1].
 template <typename Position>
 void add_grid(TestScene& scene, uint32_t columns, uint32_t rows, const Position& position) {
@@ -34,7 +40,7 @@ TEST(Watertight, FullTargetQuad) {
   for (const uint32_t size : {1U, 7U, 64U, 200U}) {
     TestScene scene(size, size + 3);
     scene.positions = {{-1, -1, 0, 1}, {1, -1, 0, 1}, {-1, 1, 0, 1}, {1, -1, 0, 1}, {1, 1, 0, 1}, {-1, 1, 0, 1}};
-    EXPECT_EQ(render(scene).hits, std::vector<uint32_t>(size * (size + 3), 1));
+    EXPECT_EQ(render(scene).hits, all_hit_once(size, size + 3));
   }
 }
 
@@ -62,7 +68,7 @@ TEST(Watertight, JitteredGridOnEveryNumberOfSubpixelBits) {
         return scene.at(x, y, 0.5, std::exp2(random.uniform(-4, 4)));
       });
       const TestPlanes planes = render(scene, {.subpixel_bits = bits});
-      EXPECT_EQ(planes.hits, std::vector<uint32_t>(256 * 128, 1)) << bits << " bits, " << cells << " cells";
+      EXPECT_EQ(planes.hits, all_hit_once(256, 128)) << bits << " bits, " << cells << " cells";
     }
   }
 }
@@ -78,7 +84,7 @@ TEST(Watertight, FanAroundAPixelCentre) {
       const double angle = start + 2 * std::numbers::pi * (i % spokes) / spokes;
       scene.positions.push_back(scene.at(32.5 + 200 * std::cos(angle), 32.5 + 200 * std::sin(angle)));
     }
-    EXPECT_EQ(render(scene).hits, std::vector<uint32_t>(64 * 64, 1)) << spokes;
+    EXPECT_EQ(render(scene).hits, all_hit_once(64, 64)) << spokes;
   }
 }
 
@@ -106,7 +112,7 @@ TEST(Watertight, MeshThroughTheEye) {
   SeededRandom random;
   for (const uint32_t cells : {1U, 5U, 40U, 150U}) {
     const TestScene scene = tilted_plane(random, cells, [](double w) { return w / 2; });
-    EXPECT_EQ(render(scene).hits, std::vector<uint32_t>(128 * 128, 1)) << cells;
+    EXPECT_EQ(render(scene).hits, all_hit_once(128, 128)) << cells;
   }
 }
 
@@ -166,7 +172,7 @@ TEST(Watertight, FanOutToHugeCoordinates) {
         const double angle = start + 2 * std::numbers::pi * (i % spokes) / spokes;
         scene.positions.push_back(scene.at(centre_x + radius * std::cos(angle), centre_y + radius * std::sin(angle)));
       }
-      EXPECT_EQ(render(scene).hits, std::vector<uint32_t>(64 * 64, 1)) << radius << ", " << spokes;
+      EXPECT_EQ(render(scene).hits, all_hit_once(64, 64)) << radius << ", " << spokes;
     }
   }
 }
@@ -194,7 +200,7 @@ TEST(Watertight, InsideOfASphere) {
       return ClipPosition{static_cast<float>(x_turned), static_cast<float>(y_tilted), static_cast<float>(w / 2),
                           static_cast<float>(w)};
     });
-    EXPECT_EQ(render(scene).hits, std::vector<uint32_t>(128 * 128, 1)) << rings << " x " << sectors;
+    EXPECT_EQ(render(scene).hits, all_hit_once(128, 128)) << rings << " x " << sectors;
   }
 }
 

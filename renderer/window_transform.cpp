@@ -11,12 +11,6 @@ bool is_finite(const ClipPosition& pos_clip) {
          std::isfinite(pos_clip[3]);
 }
 
-bool is_inside_clip_volume(const ClipPosition& pos_clip) {
-  const float w = pos_clip[3];
-  return w > 0.0F && -w <= pos_clip[0] && pos_clip[0] <= w && -w <= pos_clip[1] && pos_clip[1] <= w &&
-         0.0F <= pos_clip[2] && pos_clip[2] <= w;
-}
-
 float guard_band(float centre_framebuffer, float half_extent) {
   const double guard = (kGuardBandPixels - std::abs(double{centre_framebuffer})) / std::abs(double{half_extent});
   // A viewport of almost no extent reaches nowhere with any factor.
@@ -26,14 +20,21 @@ float guard_band(float centre_framebuffer, float half_extent) {
 
 }  // namespace
 
-WindowTransform::WindowTransform(const VkViewport& viewport, uint32_t subpixel_bits)
+WindowTransform::WindowTransform(const VkViewport& viewport, uint32_t subpixel_bits, const DepthVolume& depth_volume)
     : half_width_(viewport.width / 2),
       half_height_(viewport.height / 2),
       centre_x_(viewport.x + half_width_),
       centre_y_(viewport.y + half_height_),
       guard_x_(guard_band(centre_x_, half_width_)),
       guard_y_(guard_band(centre_y_, half_height_)),
-      subpixel_bits_(subpixel_bits) {}
+      subpixel_bits_(subpixel_bits),
+      depth_volume_(depth_volume) {}
+
+bool WindowTransform::is_inside_clip_volume(const ClipPosition& pos_clip) const {
+  const auto& [x, y, z, w] = pos_clip;
+  const float near = depth_volume_.negative_one_to_one ? -w : 0.0F;
+  return w > 0.0F && -w <= x && x <= w && -w <= y && y <= w && (!depth_volume_.clips || (near <= z && z <= w));
+}
 
 WindowVertex WindowTransform::window_vertex(const ClipPosition& pos_clip) const {
   // Where w and 1/w both are normal floats.
@@ -47,7 +48,7 @@ WindowVertex WindowTransform::window_vertex(const ClipPosition& pos_clip) const 
   }
   const HomogeneousPosition<double> position{pos_clip[0], pos_clip[1], pos_clip[2], pos_clip[3]};
   ClipCode code = 0;
-  for (uint32_t plane = 0; plane < kClipPlanes; ++plane) {
+  for (uint32_t plane = first_plane(); plane < kClipPlanes; ++plane) {
     if (distance(static_cast<ClipPlane>(plane), position) < 0) {
       code = static_cast<ClipCode>(code | (1U << plane));
     }
@@ -70,14 +71,15 @@ FixedPosition WindowTransform::project(const HomogeneousPosition<double>& pos_cl
           snap(pos_clip.y / pos_clip.w * double{half_height_} + double{centre_y_}, subpixel_bits_)};
 }
 
-PixelRect WindowTransform::viewport_pixels() const {
+PixelRect WindowTransform::viewport_pixels(const FixedPosition& sample_fixed) const {
   const FixedPosition low = project_inside({-1, -1, 0, 1});
   const FixedPosition high = project_inside({1, 1, 0, 1});
   // A negative height turns top and bottom round.
-  return {first_pixel(std::min(low.x_fixed, high.x_fixed), subpixel_bits_),
-          first_pixel(std::min(low.y_fixed, high.y_fixed), subpixel_bits_),
-          first_pixel(std::max(low.x_fixed, high.x_fixed), subpixel_bits_),
-          first_pixel(std::max(low.y_fixed, high.y_fixed), subpixel_bits_)};
+  const auto [y_min, y_max] = std::minmax(low.y_fixed, high.y_fixed);
+  return {first_pixel(low.x_fixed, sample_fixed.x_fixed, subpixel_bits_),
+          first_pixel(y_min, sample_fixed.y_fixed, subpixel_bits_),
+          first_pixel(high.x_fixed, sample_fixed.x_fixed, subpixel_bits_),
+          first_pixel(y_max, sample_fixed.y_fixed, subpixel_bits_)};
 }
 
 }  // namespace fillrule::renderer

@@ -20,13 +20,20 @@ struct HomogeneousPosition {
 };
 
 // The planes against which triangles are clipped; each has a bit of its own in a vertex' clip code. The sides are
-// those of the guard band, not of the viewport: pixels outside the viewport are left out by a rectangle instead.
+// those of the guard band, not of the viewport: pixels outside the viewport are left out by a rectangle instead. The
+// near and far planes come first, so that a volume without them begins at kLeft.
 enum class ClipPlane : uint8_t { kNear, kFar, kLeft, kRight, kTop, kBottom };
 inline constexpr uint32_t kClipPlanes = 6;
 
 using ClipCode = uint8_t;                        // bit i: outside of ClipPlane i
 inline constexpr ClipCode kClipAtOrigin = 0x40;  // (0, 0, 0, 0): inside of every plane, yet projected nowhere
 inline constexpr ClipCode kClipNotFinite = 0x80;
+
+// The part of the clip volume that a pipeline may choose.
+struct DepthVolume {
+  bool clips = true;                 // at the near and far planes
+  bool negative_one_to_one = false;  // -w <= z <= w instead of 0 <= z <= w
+};
 
 struct WindowVertex {
   FixedPosition position;  // only meaningful with clip code 0
@@ -36,7 +43,7 @@ struct WindowVertex {
 class WindowTransform {
  public:
   // The viewport must be within Vulkan's limits (see validate() of pipeline.h); its height may be negative.
-  WindowTransform(const VkViewport& viewport, uint32_t subpixel_bits);
+  WindowTransform(const VkViewport& viewport, uint32_t subpixel_bits, const DepthVolume& depth_volume = {});
 
   // Depends on the vertex alone, so that triangles which share it agree about it, clipped or not. A vertex inside the
   // clip volume goes through lavapipe's float32 arithmetic (same snapped coordinate, same coverage); any other
@@ -46,6 +53,11 @@ class WindowTransform {
   // Double precision all the way to the snap; w must be positive.
   [[nodiscard]] FixedPosition project(const HomogeneousPosition<double>& pos_clip) const;
 
+  // The planes to clip by are those from this one on, in the order of the enumeration.
+  [[nodiscard]] uint32_t first_plane() const {
+    return static_cast<uint32_t>(depth_volume_.clips ? ClipPlane::kNear : ClipPlane::kLeft);
+  }
+
   // Negative outside of the plane; linear in the position. For a position of floats the sign is exact in any Real.
   template <typename Real>
   [[nodiscard]] Real distance(ClipPlane plane, const HomogeneousPosition<Real>& pos_clip) const;
@@ -54,13 +66,14 @@ class WindowTransform {
   template <typename Real>
   void put_on(ClipPlane plane, HomogeneousPosition<Real>& pos_clip) const;
 
-  // The pixels whose centres the viewport holds. Its corners are snapped like a vertex at NDC -1 or 1, hence the
-  // result equals clipping a polygon to the snapped viewport by the top-left rule.
-  [[nodiscard]] PixelRect viewport_pixels() const;
+  // The pixels whose sample at `sample_fixed` the viewport holds. Its corners are snapped like a vertex at NDC -1 or
+  // 1, hence the result equals clipping a polygon to the snapped viewport by the top-left rule.
+  [[nodiscard]] PixelRect viewport_pixels(const FixedPosition& sample_fixed) const;
 
   [[nodiscard]] uint32_t subpixel_bits() const { return subpixel_bits_; }
 
  private:
+  [[nodiscard]] bool is_inside_clip_volume(const ClipPosition& pos_clip) const;
   [[nodiscard]] FixedPosition project_inside(const ClipPosition& pos_clip) const;
 
   // x_framebuffer = x_ndc * half_width_ + centre_x_, in pixels; float32 as lavapipe has them.
@@ -73,13 +86,14 @@ class WindowTransform {
   float guard_x_;
   float guard_y_;
   uint32_t subpixel_bits_;
+  DepthVolume depth_volume_;
 };
 
 template <typename Real>
 Real WindowTransform::distance(ClipPlane plane, const HomogeneousPosition<Real>& pos_clip) const {
   switch (plane) {
     case ClipPlane::kNear:
-      return pos_clip.z;
+      return depth_volume_.negative_one_to_one ? pos_clip.z + pos_clip.w : pos_clip.z;
     case ClipPlane::kFar:
       return pos_clip.w - pos_clip.z;
     case ClipPlane::kLeft:
@@ -98,7 +112,7 @@ template <typename Real>
 void WindowTransform::put_on(ClipPlane plane, HomogeneousPosition<Real>& pos_clip) const {
   switch (plane) {
     case ClipPlane::kNear:
-      pos_clip.z = 0;
+      pos_clip.z = depth_volume_.negative_one_to_one ? -pos_clip.w : Real{0};
       return;
     case ClipPlane::kFar:
       pos_clip.z = pos_clip.w;

@@ -58,7 +58,9 @@ TEST(WindowTransform, ProjectsVerticesWhoseReciprocalWIsNoFloat) {
 }
 
 TEST(WindowTransform, ViewportPixelsHaveTheirCentresInside) {
-  const auto pixels = [](const VkViewport& viewport) { return WindowTransform(viewport, 8).viewport_pixels(); };
+  const auto pixels = [](const VkViewport& viewport) {
+    return WindowTransform(viewport, 8).viewport_pixels(pixel_centre_fixed(8));
+  };
   EXPECT_EQ(pixels(kViewport), (PixelRect{0, 0, 200, 100}));
   // The left and the top border on a pixel's centre take it in, the right and the bottom leave it out.
   EXPECT_EQ(pixels({.x = 1.5F, .y = 2.5F, .width = 10, .height = 20}), (PixelRect{1, 2, 11, 22}));

@@ -133,7 +133,7 @@ TEST(BadState, Viewport) {
   EXPECT_EQ(errors_with_draw("state.viewport.width = 0\n"),
             "a.toml:4:24: viewport width must be above 0 and up to 16384, not 0\n");
   EXPECT_EQ(errors_with_draw("state.viewport.height = 0\n"),
-            "a.toml:4:25: viewport height must be -16384 to 16384 and not 0, not 0\n");
+            "a.toml:4:25: viewport height must be nonzero, from -16384 to 16384, not 0\n");
   EXPECT_EQ(errors_with_draw("state.viewport.width = -1\n"),
             "a.toml:4:24: viewport width must be above 0 and up to 16384, not -1\n");
   EXPECT_EQ(errors_with_draw("state.viewport.width = 16385\n"),

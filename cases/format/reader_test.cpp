@@ -10,6 +10,7 @@
 #include <limits>
 
 #include "cases/format/test_files.h"
+#include "cases/model/temporary_folder.h"
 
 namespace fillrule::format {
 namespace {
@@ -320,7 +321,8 @@ TEST(Reader, NonFiniteVerticesSurviveTheirConversion) {
 }
 
 TEST(Reader, ReadsAFile) {
-  const std::string path = ::testing::TempDir() + "fillrule_reader_test.toml";
+  const TemporaryFolder folder;
+  const std::string path = folder.path("x.toml");
   std::ofstream(path) << kHead << kDraw;
   const CaseFile file = read_file(path, "x");
   ASSERT_EQ(file.errors.size(), 0U);
@@ -330,7 +332,8 @@ TEST(Reader, ReadsAFile) {
 }
 
 TEST(Reader, AnEmptyFileIsReadAsOne) {
-  const std::string path = ::testing::TempDir() + "fillrule_reader_test_empty.toml";
+  const TemporaryFolder folder;
+  const std::string path = folder.path("empty.toml");
   std::ofstream(path).close();
   const CaseFile file = read_file(path, "x");
   ASSERT_FALSE(file.errors.empty());

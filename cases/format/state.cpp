@@ -57,7 +57,7 @@ VkViewport read_viewport(const toml::node& node, const Target& target, Values& v
   const bool x_good = read("x", in_bounds, "-32768 to 32767", viewport.x);
   const bool y_good = read("y", in_bounds, "-32768 to 32767", viewport.y);
   const bool width_good = read("width", is_width, "above 0 and up to 16384", viewport.width);
-  const bool height_good = read("height", is_height, "-16384 to 16384 and not 0", viewport.height);
+  const bool height_good = read("height", is_height, "nonzero, from -16384 to 16384", viewport.height);
   read("min_depth", is_depth, "0 to 1", viewport.minDepth);
   read("max_depth", is_depth, "0 to 1", viewport.maxDepth);
   if (x_good && width_good) check_extent(node, "x", viewport.x, viewport.width, values);

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "cases/format/test_files.h"
+#include "cases/model/temporary_folder.h"
 
 namespace fillrule::format {
 namespace {
@@ -18,7 +19,6 @@ using ::testing::IsEmpty;
 class SuiteTest : public ::testing::Test {
  protected:
   void SetUp() override {
-    fs::remove_all(top_);
     write("suite/coverage/tie.toml", "sweep.a = [1, 2]\n" + kDraw);
     write("suite/coverage/shared_diagonal.toml", kDraw);
     write("suite/clipping/near_plane.toml", "sweep.angle = [0, 30]\n" + kDraw);
@@ -28,7 +28,6 @@ class SuiteTest : public ::testing::Test {
     write("outside/one.toml", kDraw);
     write("outside/sub/two.toml", kDraw);
   }
-  void TearDown() override { fs::remove_all(top_); }
 
   void write(const std::string& path, const std::string& body) const {
     fs::create_directories((top_ / path).parent_path());
@@ -53,8 +52,8 @@ class SuiteTest : public ::testing::Test {
     return text;
   }
 
-  const std::string test_name_ = ::testing::UnitTest::GetInstance()->current_test_info()->name();
-  const fs::path top_ = fs::path(::testing::TempDir()) / ("fillrule_suite_test_" + test_name_);
+  const TemporaryFolder folder_;
+  const fs::path top_ = folder_.path();
   Suite suite_;
 };
 

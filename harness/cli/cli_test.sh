@@ -34,17 +34,22 @@ printf '%s\n[[draw]]\ncolour = 3\npositions = []\n' "$head" >"$work/own/bad.toml
 
 cd "$work" || exit 1
 expect 0 'coverage/shared_diagonal' "$fillrule" list 'coverage/shared_*'
-expect 0 '1 cases: 1 passed' "$fillrule" run own/good.toml
-expect 0 '1 cases: 1 passed' "$fillrule" run "$work/own/good.toml" --reference none
+expect 0 '1 case: 1 passed' "$fillrule" run own/good.toml
+expect 0 '1 case: 1 passed' "$fillrule" run "$work/own/good.toml" --reference none
 expect 2 'own/bad.toml:7:1' "$fillrule" run own
-expect 2 '1 cases: 1 passed' "$fillrule" run own
+expect 2 '1 case: 1 passed' "$fillrule" run own
+expect 2 '2 errors in case files or selectors' "$fillrule" run own
 expect 2 'no_such_case' "$fillrule" run coverage/no_such_case
+expect 2 '1 error in case files or selectors' "$fillrule" run coverage/no_such_case
 expect 2 'Run with --help' "$fillrule" run --no-such-option
 expect 2 'subcommand' "$fillrule"
+expect 2 'there is no command "rnu"' "$fillrule" rnu own/good.toml
+expect 2 'did you mean "run"?' "$fillrule" rnu own/good.toml
 expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candidate painter
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
 expect 0 'lavapipe' "$fillrule" devices
+expect 0 'gl_PointCoord' "$fillrule" features
 expect 0 'Exit codes' "$fillrule" run --help
 cp own/good.toml bare.toml
 expect 0 'PASSED  bare' "$fillrule" run bare.toml -v
@@ -65,6 +70,31 @@ expect 0 '' "$fillrule" run own/good.toml --json "$work/results.json" --report "
 expect_file "$work/results.json" '"driver": "lavapipe"'
 expect_file "$work/report/results.json" '"candidate_faults": 0'
 expect 2 'cannot be written' "$fillrule" run own/good.toml --json "$work/no/such/folder.json"
+
+
+# A place that cannot be written to is refused before anything is drawn: no case is counted.
+expect_nothing_run() {
+  expect 2 'cannot be' "$@"
+  if grep -qE 'passed|PASSED|triangles a second' <<<"$("$@" 2>&1)"; then
+    echo "FAILED: $* runs before it refuses"
+    failures=$((failures + 1))
+  fi
+}
+expect_nothing_run "$fillrule" run own/good.toml --report /dev/null/report
+expect_nothing_run "$fillrule" run own/good.toml --json "$work/no/such/folder.json"
+expect_nothing_run "$fillrule" show own/good.toml --report /dev/null/shown
+expect_nothing_run "$fillrule" stress --triangles 100 --reference none --out /dev/null/stress
+[ ! -e no ] || { echo 'FAILED: a folder is left behind'; failures=$((failures + 1)); }
+
+# A driver that is at fault, judged as the candidate: the commands that a failing case ends with can be pasted.
+expect 1 'see it: fillrule show ' "$fillrule" run 'interpolation/noperspective_clipped[planes=3,w=4]' --candidate lavapipe --reference none
+follow() {
+  local command
+  command=$("${@:2}" 2>&1 | sed -n "s/^    $1 it: fillrule //p" | head -n 1)
+  expect 0 'must cover the sample' bash -c "'$fillrule' $command"
+}
+follow explain "$fillrule" run 'interpolation/noperspective_clipped[planes=3,w=4]' --candidate lavapipe --reference none
+follow explain "$fillrule" stress --triangles 400 --families mixed_w --expected none --out "$work/stress"
 
 # A candidate that is held to lavapipe's subpixel bits, and snaps to another grid, is caught and shown.
 printf '%s\n[[draw]]\nspace = "framebuffer"\npositions = [[1, 1], ["10.5 + 1/64", 1], ["10.5 + 1/64", 15]]\n' "$head" >"$work/own/good.toml"

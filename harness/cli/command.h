@@ -18,6 +18,7 @@ void add_run(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_devices(CLI::App& app, int& exit_code);
+void add_features(CLI::App& app, int& exit_code);
 void add_stress(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);

@@ -1,11 +1,27 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
 
+#include "cases/format/suggestion.h"
 #include "harness/cli/command.h"
+#include "harness/cli/options.h"
+
+namespace {
+
+// CLI11 says of a misspelt command only that one is missing. Options may stand before it.
+fillrule::Result<void> check_command(const CLI::App& app, const std::string& given) {
+  std::vector<std::string> names;
+  for (const CLI::App* const command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (given.starts_with('-') || std::ranges::find(names, given) != names.end()) return {};
+  return fillrule::failure(fmt::format("there is no command \"{}\"", given),
+                           fillrule::format::suggestion(given, names, "the commands are"));
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   using namespace fillrule::cli;
@@ -19,9 +35,15 @@ int main(int argc, char** argv) {
     add_list(app, exit_code);
     add_show(app, exit_code);
     add_devices(app, exit_code);
+    add_features(app, exit_code);
     add_stress(app, exit_code);
     add_explain(app, exit_code);
     add_exhaust(app, exit_code);
+    const std::string given = argc > 1 ? argv[1] : "-";
+    if (const auto known = check_command(app, given); !known) {
+      print_error(known.error());
+      return kBadInput;
+    }
     try {
       app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

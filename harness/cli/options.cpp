@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 
 #include "harness/cli/command.h"
 
@@ -26,7 +27,7 @@ judge::Profile profile_of(const std::vector<std::string>& names) {
   return {.top_left = named("top_left"), .precise = named("precise"), .same_bits = named("same_bits")};
 }
 
-std::string quoted(const std::string& text) {
+std::string shell_quoted(const std::string& text) {
   std::string result = "'";
   for (const char c : text) {
     if (c == '\'') {
@@ -42,6 +43,34 @@ bool is_below(const std::string& path, const std::string& folder) {
   std::error_code error;
   const auto relative = std::filesystem::relative(path, folder, error);
   return !error && !relative.empty() && *relative.begin() != "..";
+}
+
+// The options that name the same parties and profile.
+std::string party_flags(const run::RunOptions& options) {
+  const run::RunOptions defaults;
+  std::string flags;
+  if (options.candidate != defaults.candidate) flags += " --candidate " + shell_quoted(options.candidate);
+  if (options.reference != defaults.reference) flags += " --reference " + shell_quoted(options.reference);
+  if (options.candidate_options.subpixel_bits != defaults.candidate_options.subpixel_bits) {
+    flags += fmt::format(" --subpixel-bits {}", options.candidate_options.subpixel_bits);
+  }
+  std::vector<std::string> profiles;
+  if (options.profile.top_left) profiles.emplace_back("top_left");
+  if (options.profile.precise) profiles.emplace_back("precise");
+  if (options.profile.same_bits) profiles.emplace_back("same_bits");
+  if (!profiles.empty()) flags += fmt::format(" --profile {}", fmt::join(profiles, ","));
+  return flags;
+}
+
+// `selector` is what names the case, quoted.
+void add_commands_for(const std::string& selector, const run::RunOptions& options, run::CaseResult& result) {
+  const std::string flags = party_flags(options);
+  result.show_command = fmt::format("fillrule show {}{}", selector, flags);
+  const std::optional<judge::SampleRecord> worst = result.verdict.worst();
+  if (!worst) return;
+  result.explain_command = fmt::format("fillrule explain {} --pixel {},{}", selector, worst->x, worst->y);
+  if (worst->sample != 0) result.explain_command += fmt::format(" --sample {}", worst->sample);
+  result.explain_command += flags;
 }
 
 }  // namespace
@@ -70,7 +99,10 @@ format::Suite load(const SuiteOptions& options) {
 void add_party_options(CLI::App& command, PartyOptions& options) {
   run::RunOptions& run = options.run;
   run.driver_files = driver_files();
-  command.add_option("--candidate", run.candidate, "who is judged: renderer, or a driver")->capture_default_str();
+  command
+      .add_option("--candidate", run.candidate,
+                  "who is judged: renderer, renderer:scanline (fills by scanlines), or a driver")
+      ->capture_default_str();
   command
       .add_option("--reference", options.references,
                   "drivers as 'fillrule devices' names them, one or more; oracle or none: the oracle judges alone")
@@ -109,23 +141,35 @@ Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit
   return runner;
 }
 
-std::string show_command(const SuiteOptions& suite, const run::RunOptions& options, const Case& one) {
-  const run::RunOptions defaults;
+void add_commands(const SuiteOptions& suite, const run::RunOptions& options, run::CaseResult& result) {
   // A case of another folder than the suite's is found by its file.
-  const bool by_name = is_below(one.file, suite.root);
-  std::string command = "fillrule show " + quoted(by_name ? one.name : one.file);
-  if (by_name && suite.root != default_root()) command += " --suite " + quoted(suite.root);
-  if (options.candidate != defaults.candidate) command += " --candidate " + quoted(options.candidate);
-  if (options.reference != defaults.reference) command += " --reference " + quoted(options.reference);
-  if (options.candidate_options.subpixel_bits != defaults.candidate_options.subpixel_bits) {
-    command += fmt::format(" --subpixel-bits {}", options.candidate_options.subpixel_bits);
+  const bool by_name = is_below(result.file, suite.root);
+  std::string selector = shell_quoted(by_name ? result.name : result.file);
+  if (by_name && suite.root != default_root()) selector += " --suite " + shell_quoted(suite.root);
+  add_commands_for(selector, options, result);
+}
+
+void add_commands(const run::RunOptions& options, run::CaseResult& result) {
+  add_commands_for(shell_quoted(result.file), options, result);
+}
+
+Result<void> prepare_folder(const std::string& folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);
+  if (error) return tl::unexpected(Error{.file = folder, .what = "cannot be made: " + error.message()});
+  if (!check_writable((std::filesystem::path(folder) / ".fillrule").string())) {
+    return tl::unexpected(Error{.file = folder, .what = "cannot be written to"});
   }
-  std::vector<std::string> profiles;
-  if (options.profile.top_left) profiles.emplace_back("top_left");
-  if (options.profile.precise) profiles.emplace_back("precise");
-  if (options.profile.same_bits) profiles.emplace_back("same_bits");
-  if (!profiles.empty()) command += fmt::format(" --profile {}", fmt::join(profiles, ","));
-  return command;
+  return {};
+}
+
+Result<void> check_writable(const std::string& file) {
+  std::error_code error;
+  const bool was_there = std::filesystem::exists(file, error);
+  const bool writable = std::ofstream(file, std::ios::binary | std::ios::app).is_open();
+  if (!writable) return tl::unexpected(Error{.file = file, .what = "cannot be written"});
+  if (!was_there) std::filesystem::remove(file, error);
+  return {};
 }
 
 bool is_driver(const std::string& reference) {

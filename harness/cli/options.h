@@ -40,8 +40,16 @@ Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit
 
 bool is_driver(const std::string& reference);
 
-// The command that draws a case once more with the same parties, quoted for a shell.
-std::string show_command(const SuiteOptions& suite, const run::RunOptions& options, const Case& one);
+// The commands that draw a case once more with the same parties, and that explain its worst sample if there is one
+// beyond what is permitted; quoted for a shell.
+void add_commands(const SuiteOptions& suite, const run::RunOptions& options, run::CaseResult& result);
+// The same, of a case that is found by its file.
+void add_commands(const run::RunOptions& options, run::CaseResult& result);
+
+// Makes the folder if need be, and finds out whether files can be written there: before anything is drawn.
+Result<void> prepare_folder(const std::string& folder);
+// Likewise for a file; its folder must be there. Leaves nothing behind.
+Result<void> check_writable(const std::string& file);
 
 // The options of a run against one of the references.
 run::RunOptions against(const PartyOptions& options, const std::string& reference);

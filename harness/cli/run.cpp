@@ -12,6 +12,7 @@
 #include "harness/report/json.h"
 #include "harness/report/pictures.h"
 #include "harness/report/terminal.h"
+#include "harness/run/counted.h"
 #include "harness/run/deviations.h"
 
 namespace fillrule::cli {
@@ -66,15 +67,14 @@ bool write_pictures(const std::string& folder, run::SuiteRunner& runner, const s
     written = written && paths.has_value();
     count += paths ? 1 : 0;
   }
-  if (count > 0) fmt::print("pictures of {} cases in {}\n", count, folder);
+  if (count > 0) fmt::print("pictures of {} in {}\n", run::counted(count, "case"), folder);
   return written;
 }
 
-Result<void> make_folder(const std::string& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return tl::unexpected(Error{.file = folder, .what = "cannot be made: " + error.message()});
-  return {};
+// Before the run, which may be long.
+bool can_write_report(const RunCommandOptions& options) {
+  return (options.json_file.empty() || print_if_failed(check_writable(options.json_file))) &&
+         (options.report_folder.empty() || print_if_failed(prepare_folder(options.report_folder)));
 }
 
 // results.json and the pictures, wherever they were asked for.
@@ -83,7 +83,6 @@ bool write_report(const RunCommandOptions& options, run::SuiteRunner& runner, co
   const std::string json = report::to_json(result, deviations);
   bool written = options.json_file.empty() || print_if_failed(report::write_text(options.json_file, json));
   if (options.report_folder.empty()) return written;
-  if (!print_if_failed(make_folder(options.report_folder))) return false;
   written = print_if_failed(report::write_text(options.report_folder + "/results.json", json)) && written;
   return write_pictures(options.report_folder, runner, cases, result) && written;
 }
@@ -114,13 +113,12 @@ RunCommandOptions with_suffix(RunCommandOptions options, const std::string& suff
 
 int run_against(const RunCommandOptions& options, const run::RunOptions& run_options,
                 const std::vector<Case>& cases) {
+  if (!can_write_report(options)) return kBadInput;
   int exit_code = kConforms;
   Result<run::SuiteRunner> runner = create_runner(run_options, exit_code);
   if (!runner) return exit_code;
   run::RunResult result = runner->run(cases);
-  for (size_t i = 0; i < cases.size(); ++i) {
-    result.cases[i].show_command = show_command(options.suite, run_options, cases[i]);
-  }
+  for (run::CaseResult& one : result.cases) add_commands(options.suite, run_options, one);
   const auto known = run::known_deviations(options.expected_folder, result.reference);
   if (!known) print_error(known.error());
   const run::DeviationReport deviations =
@@ -151,7 +149,9 @@ int run_cases(const RunCommandOptions& options) {
       if (text) fmt::print("{}", *text);
     }
   }
-  if (!suite.errors.empty()) fmt::print(stderr, "{} errors in case files or selectors\n", suite.errors.size());
+  if (!suite.errors.empty()) {
+    fmt::print(stderr, "{} in case files or selectors\n", run::counted(suite.errors.size(), "error"));
+  }
   return exit_code;
 }
 

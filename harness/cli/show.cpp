@@ -18,7 +18,8 @@ struct ShowOptions {
 };
 
 // Draws, judges, writes and tells of one case.
-int show_case(const Case& one, run::SuiteRunner& runner, const ShowOptions& options) {
+int show_case(const Case& one, run::SuiteRunner& runner, const run::RunOptions& run_options,
+              const ShowOptions& options) {
   const Result<run::Drawing> drawing = runner.draw(one);
   if (!drawing) {
     print_error(drawing.error());
@@ -30,11 +31,12 @@ int show_case(const Case& one, run::SuiteRunner& runner, const ShowOptions& opti
     return kBadInput;
   }
   const bool failed = drawing->verdict.candidate_faults() > 0;
-  const run::CaseResult result{.name = one.name,
-                               .file = one.file,
-                               .status = failed ? run::Status::kFailed : run::Status::kPassed,
-                               .show_command = show_command(options.suite, options.parties.run, one),
-                               .verdict = drawing->verdict};
+  run::CaseResult result{.name = one.name,
+                         .file = one.file,
+                         .status = failed ? run::Status::kFailed : run::Status::kPassed,
+                         .verdict = drawing->verdict};
+  add_commands(options.suite, run_options, result);
+  result.show_command.clear();
   fmt::print("{}", report::case_text(result));
   for (const std::string& path : *paths) fmt::print("    {}\n", path);
   return failed ? kMismatch : kConforms;
@@ -42,12 +44,16 @@ int show_case(const Case& one, run::SuiteRunner& runner, const ShowOptions& opti
 
 int show_cases(const ShowOptions& options) {
   const format::Suite suite = load(options.suite);
+  if (const Result<void> prepared = prepare_folder(options.folder); !prepared) {
+    print_error(prepared.error());
+    return kBadInput;
+  }
   int exit_code = kConforms;
-  Result<run::SuiteRunner> runner =
-      create_runner(against(options.parties, options.parties.references.front()), exit_code);
+  const run::RunOptions run_options = against(options.parties, options.parties.references.front());
+  Result<run::SuiteRunner> runner = create_runner(run_options, exit_code);
   if (!runner) return exit_code;
   exit_code = suite.errors.empty() ? kConforms : kBadInput;
-  for (const Case& one : suite.cases) exit_code = std::max(exit_code, show_case(one, *runner, options));
+  for (const Case& one : suite.cases) exit_code = std::max(exit_code, show_case(one, *runner, run_options, options));
   return exit_code;
 }
 

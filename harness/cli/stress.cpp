@@ -39,13 +39,19 @@ stress::Progress progress_line(uint64_t triangles) {
   };
 }
 
-void print_finding(const stress::Finding& finding) {
-  fmt::print("{}", report::case_text(finding.result));
+void print_finding(const stress::Finding& finding, const run::RunOptions& run_options) {
+  run::CaseResult result = finding.result;
+  if (finding.message.empty()) add_commands(run_options, result);
+  fmt::print("{}", report::case_text(result));
   if (!finding.message.empty()) fmt::print(stderr, "{}\n", finding.message);
 }
 
 int stress_against(const StressCommandOptions& options, const run::RunOptions& run_options,
                    stress::StressOptions stress) {
+  if (const Result<void> prepared = prepare_folder(stress.folder); !prepared) {
+    print_error(prepared.error());
+    return kBadInput;
+  }
   int exit_code = kConforms;
   Result<run::SuiteRunner> runner = create_runner(run_options, exit_code);
   if (!runner) return exit_code;
@@ -56,7 +62,7 @@ int stress_against(const StressCommandOptions& options, const run::RunOptions& r
   }
   stress.known = std::move(*known);
   const stress::StressResult result = stress::run_stress(stress, *runner, progress_line(stress.triangles));
-  for (const stress::Finding& finding : result.findings) print_finding(finding);
+  for (const stress::Finding& finding : result.findings) print_finding(finding, run_options);
   fmt::print("{}{}", report::parties_text(result.run), stress::summary_text(result));
   const stress::FamilyCounts total = result.total();
   const bool written = std::ranges::all_of(result.findings, &std::string::empty, &stress::Finding::message);

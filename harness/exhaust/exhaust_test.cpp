@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cases/model/temporary_folder.h"
 #include "reference/vulkan/hit_draw.h"
 
 namespace fillrule::exhaust {
@@ -188,8 +189,6 @@ TEST(Exhaust, FindsTheSameWithAnyNumberOfThreads) {
 
 class StateFile : public testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
-
   [[nodiscard]] Options options() const {
     Options options = tiny_world();
     options.state_file = path_;
@@ -200,8 +199,8 @@ class StateFile : public testing::Test {
     return exhaust_or_fail(options(), parties_, [](const Progress& progress) { return progress.triangles < 4'000; });
   }
 
-  std::string path_ =
-      testing::TempDir() + "exhaust_" + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.path("state.json");
   Parties parties_{.candidate = inclusive_party(), .reference = make_renderer(8)};
 };
 

@@ -17,7 +17,7 @@ class HitProgram {
   HitProgram(const HitDraw& draw, std::span<uint8_t> hits)
       : positions_clip_(draw.positions_clip.data()), size_(draw.target_size), hits_(hits.data()) {}
 
-  struct TriangleData {
+  struct PrimitiveData {
     uint8_t hit = 0;
   };
 
@@ -25,10 +25,10 @@ class HitProgram {
     const auto& [x, y] = positions_clip_[vertex];
     return {x, y, 0.5F, 1.0F};
   }
-  [[nodiscard]] static TriangleData triangle_data(const renderer::ShadedTriangle& triangle) {
-    return {.hit = triangle.front_facing ? vulkan::kFrontHit : vulkan::kHit};
+  [[nodiscard]] static PrimitiveData primitive_data(const renderer::ShadedPrimitive& primitive) {
+    return {.hit = primitive.front_facing ? vulkan::kFrontHit : vulkan::kHit};
   }
-  void fragment(const TriangleData& data, const renderer::Fragment& fragment) const {
+  void fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const {
     uint8_t& hits = hits_[static_cast<size_t>(fragment.y) * size_ + static_cast<size_t>(fragment.x)];
     hits = static_cast<uint8_t>(hits + data.hit);
   }
@@ -45,11 +45,11 @@ Result<void> draw_with_renderer(const HitDraw& draw, uint32_t subpixel_bits, std
   const renderer::DrawInput input{
       .target_width = draw.target_size,
       .target_height = draw.target_size,
+      .vertices = {.vertex_count = static_cast<uint32_t>(draw.positions_clip.size())},
       .state = {.viewport = {.width = size, .height = size, .maxDepth = 1.0F},
                 .scissor = {.extent = {draw.target_size, draw.target_size}},
                 .cull_mode = draw.cull_mode,
                 .front_face = VK_FRONT_FACE_COUNTER_CLOCKWISE},
-      .vertex_count = static_cast<uint32_t>(draw.positions_clip.size()),
   };
   return renderer::draw(input, HitProgram(draw, hits), {.subpixel_bits = subpixel_bits, .threads = 1});
 }

@@ -98,7 +98,7 @@ class Explainer {
         const std::string name =
             varying.components == 1 ? varying.name : fmt::format("{}.{}", varying.name, "xyzw"[c]);
         add_value(facts, name, planes.varyings[component][index_], judged.varying(possible, index_, component),
-                  varying_tolerance(facts, component));
+                  varying.interpolation == Interpolation::kFlat ? std::nullopt : varying_tolerance(facts, component));
       }
     }
     result_.parties.push_back(std::move(facts));
@@ -138,22 +138,21 @@ class Explainer {
     const judge::Outcome* const outcome = outcome_of(facts);
     if (outcome == nullptr || facts.owner == kNoOwner || !outcome->owner_certain) return std::nullopt;
     judge::ValueCache& values = oracles_[facts.view]->values;
-    const auto& prepared = values.component(facts.owner, component);
-    if (prepared.interpolation == Interpolation::kFlat) return std::nullopt;
-    return values.values(facts.owner).varying_tolerance(prepared, result_.position[0], result_.position[1]);
+    return values.values(outcome->piece).varying_tolerance(component, result_.position[0], result_.position[1]);
   }
 
   void add_primitives(size_t index) {
     View& view = result_.views[index];
     const exact::Expectation& expectation = oracles_[index]->expectation;
     const double near = -kNearPixels * std::ldexp(1.0, static_cast<int>(view.subpixel_bits));
-    for (uint32_t number = 0; number < expectation.primitives().size(); ++number) {
+    for (uint32_t number = 0; number < expectation.pieces().size(); ++number) {
       PrimitiveFacts facts =
           facts_of(case_, expectation, number, result_.position[0], result_.position[1], view.subpixel_bits);
       const Boundary* const deciding = facts.deciding();
       const bool is_near = facts.undefined || (deciding != nullptr && deciding->distance >= near);
-      const bool is_shown = std::ranges::any_of(
-          result_.parties, [&](const PartyFacts& party) { return party.view == index && party.owner == number; });
+      const bool is_shown = std::ranges::any_of(result_.parties, [&](const PartyFacts& party) {
+        return party.view == index && party.owner == facts.number;
+      });
       if (is_near || is_shown) view.primitives.push_back(std::move(facts));
     }
   }

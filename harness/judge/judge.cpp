@@ -92,10 +92,6 @@ Verdict combine(const Standing& candidate, const Standing* reference, bool equal
   return reference == nullptr && candidate.level == Class::kExact ? Verdict::kIdentical : Verdict::kPermitted;
 }
 
-bool graver(const SampleRecord& a, const SampleRecord& b) {
-  return a.verdict > b.verdict || (a.verdict == b.verdict && a.severity > b.severity);
-}
-
 void record(PlaneVerdict& plane, const SampleRecord& sample) {
   // The box and the first sample belong to the gravest class met.
   if (!plane.first || sample.verdict > plane.first->verdict) {
@@ -257,12 +253,12 @@ class CaseJudge {
     std::vector<exact::Entry> entries;
     expectation.collect(index, entries);
     for (const exact::Entry& entry : entries) {
-      const exact::Primitive& primitive = expectation.primitives()[entry.primitive];
-      if (!primitive.triangle.inside_volume() || primitive.triangle.undefined()) return false;
+      const exact::Piece& piece = expectation.pieces()[entry.piece];
+      if (!piece.shape->inside_volume() || piece.shape->undefined()) return false;
       // Depth within the tolerance of what is stored may pass on one side and fail on the other.
-      const RasterState& state = case_.draws[primitive.draw].state;
+      const RasterState& state = case_.draws[piece.draw].state;
       // Where rounding may turn a primitive over, culling may go either way, as facing may be found before or after.
-      if (primitive.facing_in_doubt && state.cull_mode != VK_CULL_MODE_NONE) return false;
+      if (piece.facing_in_doubt && state.cull_mode != VK_CULL_MODE_NONE) return false;
       if (state.depth_test && candidate_.possible->least_hits != candidate_.possible->most_hits) return false;
     }
     return true;

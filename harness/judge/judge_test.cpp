@@ -56,22 +56,19 @@ Planes perfect(const Case& test_case) {
     std::vector<exact::Entry> entries;
     expectation.collect(index, entries);
     for (const exact::Entry& entry : entries) {
-      const exact::Primitive& primitive = expectation.primitives()[entry.primitive];
-      if (primitive.triangle.undefined() || !primitive.triangle.owns(x, y)) continue;
-      const exact::TriangleValues values(primitive.triangle, primitive.latitude);
+      const exact::Piece& piece = expectation.pieces()[entry.piece];
+      if (piece.shape->undefined() || !piece.shape->owns(x, y)) continue;
+      const auto values = exact::values_of(test_case, piece);
       ++planes.hits[index];
-      planes.owner[index] = entry.primitive;
-      planes.front_facing[index] = primitive.front_facing ? 1 : 0;
-      planes.depth[index] = static_cast<float>(values.depth(x, y).value);
+      planes.owner[index] = piece.owner;
+      planes.front_facing[index] = piece.front_facing ? 1 : 0;
+      planes.depth[index] = static_cast<float>(values->depth(x, y).value);
       uint32_t component = 0;
       for (const Varying& varying : test_case.varyings) {
         for (uint32_t c = 0; c < varying.components; ++c, ++component) {
-          std::array<float, 3> q{};
-          const Draw& draw = test_case.draws[primitive.draw];
-          for (size_t i = 0; i < 3; ++i)
-            q[i] = draw.varyings[primitive.vertices[i] * planes.varyings.size() + component];
-          const auto prepared = values.component(varying.interpolation, q, primitive.provoking);
-          planes.varyings[component][index] = static_cast<float>(values.varying(prepared, x, y).value);
+          const bool flat = varying.interpolation == Interpolation::kFlat;
+          planes.varyings[component][index] =
+              flat ? values->provoking(component) : static_cast<float>(values->varying_for(component, 0, x, y).value);
         }
       }
     }
@@ -180,7 +177,7 @@ TEST(Judge, SameBitsAreNotAskedForWhereRoundingMayCullATriangle) {
   const auto faults = [&test_case](VkCullModeFlags cull_mode) {
     test_case.draws[0].state.cull_mode = cull_mode;
     const exact::Expectation expectation(test_case, 8);
-    EXPECT_TRUE(expectation.primitives()[0].facing_in_doubt);
+    EXPECT_TRUE(expectation.pieces()[0].facing_in_doubt);
     std::vector<exact::Entry> entries;
     size_t sample = 0;
     while (sample < expectation.sole().size() && expectation.sole()[sample] != exact::kSeveral) ++sample;
@@ -203,7 +200,7 @@ TEST(Judge, ASliverOnTheGridThatIsCulledStaysCulledUnderTopLeft) {
   test_case.draws[0].state.cull_mode = VK_CULL_MODE_BACK_BIT;
   test_case.draws[0].state.depth_test = false;
   const Planes nothing = Planes::cleared(kSize, kSize, 1, component_count(test_case.varyings), 1.0F);
-  EXPECT_TRUE(exact::Expectation(test_case, 8).primitives()[0].facing_in_doubt);
+  EXPECT_TRUE(exact::Expectation(test_case, 8).pieces()[0].facing_in_doubt);
   const auto faults = [&](bool top_left) {
     return judge(test_case, {.planes = &nothing}, nullptr, {.profile = {.top_left = top_left}}).candidate_faults();
   };
@@ -312,6 +309,9 @@ TEST(Judge, ReportsTheBoxTheFirstAndTheWorstSample) {
   EXPECT_EQ(depth.first->y, 3U);
   EXPECT_EQ(depth.worst->x, 3U);
   EXPECT_EQ(depth.worst->y, 6U);
+  EXPECT_EQ(verdict.worst()->x, 3U);
+  EXPECT_EQ(verdict.worst()->y, 6U);
+  EXPECT_FALSE(judge_pair(test_case, right, right).worst());
   EXPECT_EQ(depth.bounds->min_x, 3U);
   EXPECT_EQ(depth.bounds->min_y, 3U);
   EXPECT_EQ(depth.bounds->max_x, 4U);

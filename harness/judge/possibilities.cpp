@@ -12,11 +12,11 @@ namespace {
 
 using exact::Coverage;
 using exact::Entry;
-using exact::Primitive;
+using exact::Piece;
 
 void add_unique(std::vector<Outcome>& outcomes, const Outcome& outcome) {
   for (Outcome& known : outcomes) {
-    if (known.owner != outcome.owner || known.depth_writer != outcome.depth_writer) continue;
+    if (known.piece != outcome.piece || known.depth_writer != outcome.depth_writer) continue;
     known.owner_certain = known.owner_certain && outcome.owner_certain;
     known.depth_certain = known.depth_certain && outcome.depth_certain;
     return;
@@ -24,48 +24,25 @@ void add_unique(std::vector<Outcome>& outcomes, const Outcome& outcome) {
   outcomes.push_back(outcome);
 }
 
-bool has_values(const Primitive& primitive) {
-  return !primitive.thin && !primitive.triangle.undefined();
+bool has_values(const Piece& piece) {
+  return !piece.thin && !piece.shape->undefined();
 }
 
-// Drawn from the same bits with the same state, two primitives have the same depth to the bit.
-bool same_geometry(const Case& test_case, const Primitive& a, const Primitive& b) {
+// Drawn from the same bits with the same state, two triangles have the same depth to the bit.
+bool same_geometry(const Case& test_case, const Piece& a, const Piece& b) {
+  if (a.triangle() == nullptr || b.triangle() == nullptr) return false;
   const VkViewport& va = test_case.draws[a.draw].state.viewport;
   const VkViewport& vb = test_case.draws[b.draw].state.viewport;
-  return a.triangle.vertices() == b.triangle.vertices() && va.x == vb.x && va.y == vb.y && va.width == vb.width &&
-         va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
+  return a.triangle()->vertices() == b.triangle()->vertices() && va.x == vb.x && va.y == vb.y &&
+         va.width == vb.width && va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
 }
 
 }  // namespace
 
-ValueCache::ValueCache(const Case& test_case, const exact::Expectation& expectation)
-    : case_(test_case), expectation_(expectation), values_(expectation.primitives().size()) {
-  for (const Varying& varying : test_case.varyings) {
-    interpolation_.insert(interpolation_.end(), varying.components, varying.interpolation);
-  }
-}
-
-ValueCache::Values& ValueCache::at(uint32_t number) {
-  std::unique_ptr<Values>& slot = values_[number];
-  if (slot) return *slot;
-  const Primitive& primitive = expectation_.primitives()[number];
-  slot = std::make_unique<Values>(Values{exact::TriangleValues(primitive.triangle, primitive.latitude), {}});
-  const Draw& draw = case_.draws[primitive.draw];
-  const size_t stride = interpolation_.size();
-  for (size_t c = 0; c < stride; ++c) {
-    std::array<float, 3> q{};
-    for (size_t i = 0; i < 3; ++i) q[i] = draw.varyings[primitive.vertices[i] * stride + c];
-    slot->components.push_back(slot->triangle.component(interpolation_[c], q, primitive.provoking));
-  }
+const exact::PieceValues& ValueCache::values(uint32_t piece) {
+  std::unique_ptr<exact::PieceValues>& slot = values_[piece];
+  if (!slot) slot = exact::values_of(case_, expectation_.pieces()[piece]);
   return *slot;
-}
-
-const exact::TriangleValues& ValueCache::values(uint32_t primitive) {
-  return at(primitive).triangle;
-}
-
-const exact::TriangleValues::Component& ValueCache::component(uint32_t primitive, uint32_t component) {
-  return at(primitive).components[component];
 }
 
 Replay::Replay(const Case& test_case, const exact::Expectation& expectation, ValueCache& values,
@@ -75,7 +52,7 @@ Replay::Replay(const Case& test_case, const exact::Expectation& expectation, Val
       values_(values),
       subpixel_bits_(subpixel_bits),
       top_left_(top_left),
-      on_grid_(expectation.primitives().size(), 0) {}
+      on_grid_(expectation.pieces().size(), 0) {}
 
 const Possibilities& Replay::at(size_t index) {
   possibilities_.least_hits = 0;
@@ -90,15 +67,14 @@ const Possibilities& Replay::at(size_t index) {
   if (top_left_) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
     possibilities_.in_doubt = possibilities_.in_doubt || entry.coverage == Coverage::kMay;
-    possibilities_.undefined =
-        possibilities_.undefined || expectation_.primitives()[entry.primitive].triangle.undefined();
+    possibilities_.undefined = possibilities_.undefined || expectation_.pieces()[entry.piece].shape->undefined();
   }
   if (!possibilities_.in_doubt) {
     replay(0, entries_.size(), x, y);
   } else if (!replay_watertight(0, entries_.size(), x, y)) {
     // Layers drawn one after the other may each be watertight.
     for (size_t begin = 0, end = 0; begin < entries_.size(); begin = end) {
-      const auto draw_of = [this](size_t i) { return expectation_.primitives()[entries_[i].primitive].draw; };
+      const auto draw_of = [this](size_t i) { return expectation_.pieces()[entries_[i].piece].draw; };
       for (end = begin; end < entries_.size() && draw_of(end) == draw_of(begin);) ++end;
       if (!replay_watertight(begin, end, x, y)) replay(begin, end, x, y);
     }
@@ -141,41 +117,42 @@ void Replay::resolve_ties(double x, double y) {
   for (Entry& entry : entries_) {
     if (entry.coverage == Coverage::kMust || !resolved_by_top_left(entry)) continue;
     // Nothing is rounded, so the facing is certain too.
-    const Primitive& primitive = expectation_.primitives()[entry.primitive];
-    entry.coverage = !primitive.culled && primitive.triangle.owns(x, y) ? Coverage::kMust : Coverage::kMustNot;
+    const Piece& piece = expectation_.pieces()[entry.piece];
+    entry.coverage = !piece.culled && piece.shape->owns(x, y) ? Coverage::kMust : Coverage::kMustNot;
   }
   std::erase_if(entries_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
 }
 
 bool Replay::resolved_by_top_left(const Entry& entry) {
-  const exact::Triangle& triangle = expectation_.primitives()[entry.primitive].triangle;
-  if ((entry.doubt & ~exact::kDoubtEdges) != 0 || triangle.undefined() || !triangle.inside_volume()) return false;
-  uint8_t& known = on_grid_[entry.primitive];
-  if (known == 0) known = triangle.on_grid(subpixel_bits_) ? 2 : 1;
+  const exact::Shape& shape = *expectation_.pieces()[entry.piece].shape;
+  if ((entry.doubt & ~exact::kDoubtEdges) != 0 || shape.undefined() || !shape.inside_volume()) return false;
+  uint8_t& known = on_grid_[entry.piece];
+  if (known == 0) known = shape.on_grid(subpixel_bits_) ? 2 : 1;
   return known == 2;
 }
 
 void Replay::land(const Entry& entry, bool must, double x, double y) {
-  const Primitive& primitive = expectation_.primitives()[entry.primitive];
-  const RasterState& state = case_.draws[primitive.draw].state;
-  const bool certain = entry.coverage == Coverage::kMust && has_values(primitive);
+  const Piece& piece = expectation_.pieces()[entry.piece];
+  const RasterState& state = case_.draws[piece.draw].state;
+  const bool certain = entry.coverage == Coverage::kMust && has_values(piece);
   bool lands_always = must;
   bool lands_ever = false;
   before_.swap(possibilities_.outcomes);
   possibilities_.outcomes.clear();
   for (const Outcome& before : before_) {
     const DepthResult result =
-        state.depth_test ? depth_test(entry.primitive, before.depth_writer, x, y) : DepthResult::kPasses;
+        state.depth_test ? depth_test(entry.piece, before.depth_writer, x, y) : DepthResult::kPasses;
     const bool lands = result != DepthResult::kFails;
     lands_ever = lands_ever || lands;
     lands_always = lands_always && result == DepthResult::kPasses;
     if (!must || result != DepthResult::kPasses) add_unique(possibilities_.outcomes, before);
     if (!lands) continue;
     Outcome after = before;
-    after.owner = entry.primitive;
+    after.owner = piece.owner;
+    after.piece = entry.piece;
     after.owner_certain = certain;
     if (state.depth_test && state.depth_write) {
-      after.depth_writer = entry.primitive;
+      after.depth_writer = entry.piece;
       after.depth_certain = certain;
     }
     add_unique(possibilities_.outcomes, after);
@@ -184,24 +161,23 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   possibilities_.most_hits += lands_ever ? 1 : 0;
 }
 
-exact::Expected Replay::depth_of(uint32_t primitive, double x, double y) {
-  if (primitive == kNoOwner) return {.value = double{case_.target.clear_depth}, .tolerance = 0};
-  if (!has_values(expectation_.primitives()[primitive])) {
+exact::Expected Replay::depth_of(uint32_t piece, double x, double y) {
+  if (piece == kNoOwner) return {.value = double{case_.target.clear_depth}, .tolerance = 0};
+  if (!has_values(expectation_.pieces()[piece])) {
     return {.value = 0, .tolerance = std::numeric_limits<double>::infinity()};
   }
-  return values_.values(primitive).depth(x, y);
+  return values_.values(piece).depth(x, y);
 }
 
-Replay::DepthResult Replay::depth_test(uint32_t primitive, uint32_t stored, double x, double y) {
-  const VkCompareOp op = case_.draws[expectation_.primitives()[primitive].draw].state.depth_compare;
+Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x, double y) {
+  const VkCompareOp op = case_.draws[expectation_.pieces()[piece].draw].state.depth_compare;
   if (op == VK_COMPARE_OP_ALWAYS) return DepthResult::kPasses;
   if (op == VK_COMPARE_OP_NEVER) return DepthResult::kFails;
   bool may_be_less = false;
   bool may_be_greater = false;
   bool may_be_equal = true;
-  if (stored == kNoOwner ||
-      !same_geometry(case_, expectation_.primitives()[primitive], expectation_.primitives()[stored])) {
-    const exact::Expected incoming = depth_of(primitive, x, y);
+  if (stored == kNoOwner || !same_geometry(case_, expectation_.pieces()[piece], expectation_.pieces()[stored])) {
+    const exact::Expected incoming = depth_of(piece, x, y);
     const exact::Expected present = depth_of(stored, x, y);
     const double gap = incoming.value - present.value;
     const double tolerance = incoming.tolerance + present.tolerance;

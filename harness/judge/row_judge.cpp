@@ -48,16 +48,16 @@ bool passes_throughout(VkCompareOp op, double low, double high, double stored) {
 }  // namespace
 
 RowJudge::Landing RowJudge::landing_of(uint32_t number) {
-  if (landing_.empty()) landing_.assign(expectation_.primitives().size(), Landing::kUnknown);
+  if (landing_.empty()) landing_.assign(expectation_.pieces().size(), Landing::kUnknown);
   Landing& landing = landing_[number];
   if (landing != Landing::kUnknown) return landing;
   landing = Landing::kUncertain;
-  const exact::Primitive& primitive = expectation_.primitives()[number];
-  const RasterState& state = case_.draws[primitive.draw].state;
-  if (primitive.thin || primitive.triangle.undefined() || primitive.facing_in_doubt) return landing;
+  const exact::Piece& piece = expectation_.pieces()[number];
+  const RasterState& state = case_.draws[piece.draw].state;
+  if (piece.triangle() == nullptr || piece.thin || piece.shape->undefined() || piece.facing_in_doubt) return landing;
   if (!state.depth_test) return landing = Landing::kCertain;
-  if (!primitive.triangle.in_front()) return landing;
-  const auto range = values_.values(number).depth_range();
+  if (!piece.triangle()->in_front()) return landing;
+  const auto range = values_.triangle(number).depth_range();
   // Depths are clamped before they are compared.
   const double low = std::clamp(range.low, 0.0, 1.0);
   const double high = std::clamp(range.high, 0.0, 1.0);
@@ -84,8 +84,8 @@ bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
 bool RowJudge::integers_right() const {
   const bool nothing = sole_ == exact::kNothing;
   const uint32_t hits = nothing ? 0 : 1;
-  const uint32_t owner = nothing ? kNoOwner : sole_;
-  const uint32_t front_facing = !nothing && expectation_.primitives()[sole_].front_facing ? 1 : 0;
+  const uint32_t owner = nothing ? kNoOwner : expectation_.pieces()[sole_].owner;
+  const uint32_t front_facing = !nothing && expectation_.pieces()[sole_].front_facing ? 1 : 0;
   uint32_t difference = 0;
   for (size_t i = begin_; i < begin_ + size_; ++i) {
     difference |= (planes_.hits[i] ^ hits) | (planes_.owner[i] ^ owner) | (planes_.front_facing[i] ^ front_facing);
@@ -97,25 +97,25 @@ bool RowJudge::within(PlaneKind kind, uint32_t component) {
   const float* const row = values(kind, component);
   if (kind == PlaneKind::kDepth) {
     const RasterState* const state =
-        sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.primitives()[sole_].draw].state;
+        sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[sole_].draw].state;
     if (state == nullptr || !state->depth_test || !state->depth_write) {
       std::fill(expected_.begin(), expected_.end(), double{case_.target.clear_depth});
       return all_equal(row, size_, case_.target.clear_depth);
     }
-    values_.values(sole_).depth_row(x_, y_, expected_, least_);
+    values_.triangle(sole_).depth_row(x_, y_, expected_, least_);
     return all_within(row, expected_, least_);
   }
   if (sole_ == exact::kNothing) {
     std::fill(expected_.begin(), expected_.end(), 0.0);
     return all_equal(row, size_, 0);
   }
-  const exact::TriangleValues::Component& prepared = values_.component(sole_, component);
+  const exact::TriangleValues& triangle = values_.triangle(sole_);
+  const exact::TriangleValues::Component& prepared = triangle.component(component);
   if (prepared.interpolation == Interpolation::kFlat) {
     std::fill(expected_.begin(), expected_.end(), double{prepared.provoking});
     return all_equal(row, size_, prepared.provoking);
   }
   if (!prepared.judged) return false;
-  const exact::TriangleValues& triangle = values_.values(sole_);
   if (!has_w_ && prepared.interpolation == Interpolation::kSmooth) {
     triangle.w_row(x_, y_, w_);
     has_w_ = true;

@@ -4,15 +4,13 @@
 #include <bit>
 #include <cmath>
 #include <limits>
-
-#include "reference/exact/rational_triangle.h"
-
+#include <optional>
 namespace fillrule::judge {
 namespace {
 
 using Class = Standing::Class;
 using exact::Expected;
-using exact::Primitive;
+using exact::Piece;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
@@ -26,11 +24,21 @@ Standing not_judged() {
   return {.level = Class::kWithin, .expected = kNaN, .tolerance = kInfinity};
 }
 
-const Outcome* find_owner(const Possibilities& possible, uint32_t owner) {
+// The best standing over the outcomes with the owner that the party shows: several, where pieces of one polygon meet
+// or different depths may be stored. Without a right owner the owner plane tells, and nothing else is judged.
+template <typename StandingOf>
+Standing best_over_outcomes(const Possibilities& possible, uint32_t owner, const StandingOf& standing_of) {
+  std::optional<Standing> best;
   for (const Outcome& outcome : possible.outcomes) {
-    if (outcome.owner == owner) return &outcome;
+    if (outcome.owner != owner) continue;
+    const Standing standing = standing_of(outcome);
+    if (!best || standing.level < best->level) best = standing;
   }
-  return nullptr;
+  return best ? *best : not_judged();
+}
+
+bool has_owner(const Possibilities& possible, uint32_t owner) {
+  return std::ranges::any_of(possible.outcomes, [owner](const Outcome& outcome) { return outcome.owner == owner; });
 }
 
 Class classify(double error, double tolerance) {
@@ -67,11 +75,19 @@ Standing undecided_value(float value, bool finite_input) {
   return not_judged();
 }
 
-bool has_finite_values(const Primitive& primitive) {
-  return !primitive.thin && !primitive.triangle.undefined();
+bool has_finite_values(const Piece& piece) {
+  return !piece.thin && !piece.shape->undefined();
 }
 
 }  // namespace
+
+PartyJudge::PartyJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation,
+                       ValueCache& values)
+    : case_(test_case), planes_(planes), expectation_(expectation), values_(values) {
+  for (const Varying& varying : test_case.varyings) {
+    interpolation_.insert(interpolation_.end(), varying.components, varying.interpolation);
+  }
+}
 
 Standing PartyJudge::coverage(const Possibilities& possible, size_t index) const {
   const bool covered = planes_.hits[index] != 0;
@@ -92,18 +108,23 @@ Standing PartyJudge::owner(const Possibilities& possible, size_t index) const {
   const bool only_answer = std::all_of(outcomes.begin(), outcomes.end(), [&outcomes](const Outcome& outcome) {
     return outcome.owner == outcomes.front().owner;
   });
-  return integer_standing(find_owner(possible, owner) != nullptr, only_answer, outcomes.front().owner);
+  return integer_standing(has_owner(possible, owner), only_answer, outcomes.front().owner);
 }
 
 Standing PartyJudge::front_facing(const Possibilities& possible, size_t index) const {
   const uint32_t owner = planes_.owner[index];
-  const Outcome* outcome = find_owner(possible, owner);
-  if (outcome == nullptr) return not_judged();  // the owner plane tells
-  if (owner == kNoOwner) return integer_standing(planes_.front_facing[index] == 0, true, 0);
-  const Primitive& primitive = expectation_.primitives()[owner];
-  if (primitive.facing_in_doubt) return not_judged();
-  const uint32_t expected = primitive.front_facing ? 1 : 0;
-  return integer_standing(planes_.front_facing[index] == expected, true, expected);
+  return best_over_outcomes(possible, owner, [&](const Outcome& outcome) {
+    if (owner == kNoOwner) return integer_standing(planes_.front_facing[index] == 0, true, 0);
+    const Piece& piece = expectation_.pieces()[outcome.piece];
+    if (piece.facing_in_doubt) return not_judged();
+    const uint32_t expected = piece.front_facing ? 1 : 0;
+    return integer_standing(planes_.front_facing[index] == expected, true, expected);
+  });
+}
+
+Standing PartyJudge::depth(const Possibilities& possible, size_t index) const {
+  return best_over_outcomes(possible, planes_.owner[index],
+                            [&](const Outcome& outcome) { return depth_of(outcome, index); });
 }
 
 Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
@@ -112,55 +133,42 @@ Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
     const float clear = case_.target.clear_depth;
     return integer_standing(value == clear, true, double{clear});
   }
-  const bool finite = has_finite_values(expectation_.primitives()[outcome.depth_writer]);
+  const bool finite = has_finite_values(expectation_.pieces()[outcome.depth_writer]);
   if (!outcome.depth_certain) return undecided_value(value, finite);
-  const exact::TriangleValues& values = values_.values(outcome.depth_writer);
-  Standing standing = value_standing(value, values.depth_for(value, x_of(index), y_of(index)));
-  if (!needs_confirmation(standing)) return standing;
-  if (certainly_outside(value, standing, values.depth_error(x_of(index), y_of(index)))) return standing;
-  Expected confirmed{.value = exact::exact_depth(values.triangle(), x_of(index), y_of(index)),
-                     .tolerance = standing.tolerance};
-  confirmed.value = std::clamp(confirmed.value, 0.0, 1.0);
-  return value_standing(value, confirmed);
-}
-
-Standing PartyJudge::depth(const Possibilities& possible, size_t index) const {
-  Standing best{.level = Class::kOutside};
-  bool found = false;
-  for (const Outcome& outcome : possible.outcomes) {
-    if (outcome.owner != planes_.owner[index]) continue;
-    const Standing standing = depth_of(outcome, index);
-    if (!found || standing.level < best.level) best = standing;
-    found = true;
-  }
-  return found ? best : not_judged();  // without a right owner the owner plane tells
+  const exact::PieceValues& values = values_.values(outcome.depth_writer);
+  const double x = x_of(index);
+  const double y = y_of(index);
+  const Standing standing = value_standing(value, values.depth_for(value, x, y));
+  if (!needs_confirmation(standing) || certainly_outside(value, standing, values.depth_error(x, y))) return standing;
+  return value_standing(value, {.value = values.exact_depth(x, y), .tolerance = standing.tolerance});
 }
 
 Standing PartyJudge::varying(const Possibilities& possible, size_t index, uint32_t component) const {
+  return best_over_outcomes(possible, planes_.owner[index],
+                            [&](const Outcome& outcome) { return varying_of(outcome, index, component); });
+}
+
+Standing PartyJudge::varying_of(const Outcome& outcome, size_t index, uint32_t component) const {
   const float value = planes_.varyings[component][index];
-  const uint32_t owner = planes_.owner[index];
-  const Outcome* outcome = find_owner(possible, owner);
-  if (outcome == nullptr) return not_judged();
-  if (owner == kNoOwner) return integer_standing(value == 0, true, 0);
-  const Primitive& primitive = expectation_.primitives()[owner];
-  if (primitive.triangle.undefined()) return not_judged();
-  const exact::TriangleValues::Component& prepared = values_.component(owner, component);
-  if (prepared.interpolation == Interpolation::kFlat) {
+  if (outcome.owner == kNoOwner) return integer_standing(value == 0, true, 0);
+  const Piece& piece = expectation_.pieces()[outcome.piece];
+  if (piece.shape->undefined()) return not_judged();
+  const exact::PieceValues& values = values_.values(outcome.piece);
+  if (interpolation_[component] == Interpolation::kFlat) {
     // Equal to the bit; which NaN it is when a NaN is copied is not specified.
-    const bool equal = std::bit_cast<uint32_t>(value) == std::bit_cast<uint32_t>(prepared.provoking);
-    const bool both_nan = std::isnan(value) && std::isnan(prepared.provoking);
-    return integer_standing(equal || both_nan, true, double{prepared.provoking});
+    const float provoking = values.provoking(component);
+    const bool equal = std::bit_cast<uint32_t>(value) == std::bit_cast<uint32_t>(provoking);
+    return integer_standing(equal || (std::isnan(value) && std::isnan(provoking)), true, double{provoking});
   }
-  if (!outcome->owner_certain) return undecided_value(value, has_finite_values(primitive) && prepared.judged);
-  if (!prepared.judged) return not_judged();
-  const exact::TriangleValues& values = values_.values(owner);
-  Standing standing = value_standing(value, values.varying_for(prepared, value, x_of(index), y_of(index)));
-  if (!needs_confirmation(standing)) return standing;
-  if (certainly_outside(value, standing, values.varying_error(prepared, x_of(index), y_of(index)))) return standing;
-  const bool smooth = prepared.interpolation == Interpolation::kSmooth;
-  const auto exactly = smooth ? exact::exact_smooth : exact::exact_noperspective;
-  return value_standing(value, {.value = exactly(primitive.triangle, prepared.values, x_of(index), y_of(index)),
-                                .tolerance = standing.tolerance});
+  if (!outcome.owner_certain) return undecided_value(value, has_finite_values(piece) && values.judged(component));
+  if (!values.judged(component)) return not_judged();
+  const double x = x_of(index);
+  const double y = y_of(index);
+  const Standing standing = value_standing(value, values.varying_for(component, value, x, y));
+  if (!needs_confirmation(standing) || certainly_outside(value, standing, values.varying_error(component, x, y))) {
+    return standing;
+  }
+  return value_standing(value, {.value = values.exact_varying(component, x, y), .tolerance = standing.tolerance});
 }
 
 }  // namespace fillrule::judge

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "harness/judge/possibilities.h"
 
@@ -21,8 +22,7 @@ struct Standing {
 // Judges one party's planes; `index` is that of Planes.
 class PartyJudge {
  public:
-  PartyJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation, ValueCache& values)
-      : case_(test_case), planes_(planes), expectation_(expectation), values_(values) {}
+  PartyJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation, ValueCache& values);
 
   [[nodiscard]] Standing coverage(const Possibilities& possible, size_t index) const;
   [[nodiscard]] Standing hits(const Possibilities& possible, size_t index) const;
@@ -38,11 +38,13 @@ class PartyJudge {
     return static_cast<double>(row) + 0.5;
   }
   [[nodiscard]] Standing depth_of(const Outcome& outcome, size_t index) const;
+  [[nodiscard]] Standing varying_of(const Outcome& outcome, size_t index, uint32_t component) const;
 
   const Case& case_;
   const Planes& planes_;
   const exact::Expectation& expectation_;
   ValueCache& values_;
+  std::vector<Interpolation> interpolation_;  // of each component
 };
 
 }  // namespace fillrule::judge

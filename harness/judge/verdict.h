@@ -76,6 +76,11 @@ struct CaseVerdict {
   [[nodiscard]] uint64_t count(Verdict verdict) const;
   [[nodiscard]] uint64_t candidate_faults() const;
   [[nodiscard]] uint64_t reference_faults() const;
+  // The gravest of all planes: the first plane's among equals. None if all is identical or permitted.
+  [[nodiscard]] std::optional<SampleRecord> worst() const;
 };
+
+// By verdict, then by severity.
+bool graver(const SampleRecord& a, const SampleRecord& b);
 
 }  // namespace fillrule::judge

@@ -9,7 +9,7 @@ namespace {
 using exact::Coverage;
 using exact::Entry;
 using exact::Expectation;
-using exact::Primitive;
+using exact::Piece;
 
 struct DirectedEdge {
   ClipPosition from{};
@@ -18,10 +18,11 @@ struct DirectedEdge {
 };
 
 // The edge opposite of vertex i, in the direction that has the triangle on its positive side.
-DirectedEdge directed_edge(const Primitive& primitive, size_t i) {
-  const auto& vertices = primitive.triangle.vertices();
-  DirectedEdge edge{.from = vertices[(i + 1) % 3], .to = vertices[(i + 2) % 3], .draw = primitive.draw};
-  if (primitive.triangle.orientation() < 0) std::swap(edge.from, edge.to);
+DirectedEdge directed_edge(const Piece& piece, size_t i) {
+  const exact::Triangle& triangle = *piece.triangle();
+  const auto& vertices = triangle.vertices();
+  DirectedEdge edge{.from = vertices[(i + 1) % 3], .to = vertices[(i + 2) % 3], .draw = piece.draw};
+  if (triangle.orientation() < 0) std::swap(edge.from, edge.to);
   return edge;
 }
 
@@ -52,15 +53,16 @@ WatertightHits watertight_hits(const Case& test_case, const Expectation& expecta
   std::vector<DirectedEdge> edges;
   for (const Entry& entry : entries) {
     if (entry.coverage != Coverage::kMay) continue;
-    const Primitive& primitive = expectation.primitives()[entry.primitive];
-    if ((entry.doubt & ~exact::kDoubtEdges) != 0 || primitive.facing_in_doubt || primitive.triangle.undefined()) {
+    const Piece& piece = expectation.pieces()[entry.piece];
+    if ((entry.doubt & ~exact::kDoubtEdges) != 0 || piece.facing_in_doubt || piece.shape->undefined() ||
+        piece.triangle() == nullptr) {
       return {};
     }
     for (size_t i = 0; i < 3; ++i) {
-      if ((entry.doubt & (1U << i)) != 0) edges.push_back(directed_edge(primitive, i));
+      if ((entry.doubt & (1U << i)) != 0) edges.push_back(directed_edge(piece, i));
     }
     ++result.primitives;
-    if (primitive.triangle.owns(x, y)) ++result.hits;
+    if (piece.shape->owns(x, y)) ++result.hits;
   }
   if (!balanced(test_case, edges)) return {};
   return result;

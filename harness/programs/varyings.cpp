@@ -2,18 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace fillrule::programs {
 namespace {
 
 Result<void> check_target(const Target& target) {
-  if (target.samples != VK_SAMPLE_COUNT_1_BIT) {
-    return failure(fmt::format("the renderer cannot draw {} samples a pixel", static_cast<int>(target.samples)),
-                   "samples = 1");
-  }
-  if (target.depth_format != VK_FORMAT_D32_SFLOAT && target.depth_format != VK_FORMAT_UNDEFINED) {
-    return failure(fmt::format("the renderer cannot draw depth format {}", static_cast<int>(target.depth_format)),
-                   "D32_SFLOAT, or none");
-  }
   if (target.width == 0 || target.width > kMaxTargetSize || target.height == 0 || target.height > kMaxTargetSize) {
     return failure(fmt::format("a target of {} x {} pixels", target.width, target.height),
                    fmt::format("1 to {} each", kMaxTargetSize));
@@ -43,19 +37,32 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
     : draw_(&draw),
       first_primitive_(first_primitive),
       width_(planes.width),
+      samples_(planes.samples),
       hits_(planes.hits.data()),
       owner_(planes.owner.data()),
       front_facing_(planes.front_facing.data()) {
   for (const Varying& varying : varyings) {
+    has_centroid_ = has_centroid_ || varying.sampling == Sampling::kCentroid;
+    has_sample_ = has_sample_ || varying.sampling == Sampling::kSample;
     for (uint32_t i = 0; i < varying.components; ++i) {
-      components_[component_count_] = {planes.varyings[component_count_].data(), varying.interpolation};
+      components_[component_count_] = {planes.varyings[component_count_].data(), varying.interpolation,
+                                       varying.sampling};
       ++component_count_;
     }
   }
 }
 
 FeatureSet renderer_features() {
-  return {};
+  FeatureSet features;
+  for (const Feature feature :
+       {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast, Feature::kSamples2,
+        Feature::kSamples4, Feature::kSamples8, Feature::kSamples16, Feature::kSampleMask, Feature::kCentroid,
+        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBias,
+        Feature::kDepthBiasClamp, Feature::kDepthBounds, Feature::kDepthClamp, Feature::kDepthClipOff,
+        Feature::kNegativeOneToOne}) {
+    features.add(feature);
+  }
+  return features;
 }
 
 Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& options) {
@@ -67,22 +74,31 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
   const FeatureSet missing = features_of(drawn_case).without(renderer_features());
   if (!missing.empty()) return failure(fmt::format("the renderer lacks {}", to_string(missing)));
   const Target& target = drawn_case.target;
+  const auto samples = static_cast<uint32_t>(target.samples);
   Planes planes =
-      Planes::cleared(target.width, target.height, 1, component_count(drawn_case.varyings), target.clear_depth);
+      Planes::cleared(target.width, target.height, samples, component_count(drawn_case.varyings),
+                      renderer::quantized_depth(renderer::max_depth_code(target.depth_format), target.clear_depth));
   if (target.depth_format == VK_FORMAT_UNDEFINED) {
     planes.depth.clear();
   }
+  const bool sample_shading = std::any_of(drawn_case.varyings.begin(), drawn_case.varyings.end(),
+                                          [](const Varying& one) { return one.sampling == Sampling::kSample; });
   uint32_t first_primitive = 0;
   for (const Draw& draw : drawn_case.draws) {
+    const std::vector<ElementRun> runs = element_runs(draw);
     const VaryingsProgram program(drawn_case.varyings, draw, first_primitive, planes);
     const renderer::DrawInput input{
         .target_width = target.width,
         .target_height = target.height,
-        .topology = draw.topology,
+        .samples = samples,
+        .sample_shading = sample_shading,
+        .vertices = {.topology = draw.topology,
+                     .vertex_count = static_cast<uint32_t>(draw.positions.size()),
+                     .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
+                     .vertex_offset = draw.vertex_offset,
+                     .runs = runs},
         .state = draw.state,
-        .vertex_count = static_cast<uint32_t>(draw.positions.size()),
-        .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
-        .depth = {planes.depth},
+        .depth = {planes.depth, target.depth_format},
     };
     if (const Result<void> drawn = renderer::draw(input, program, options); !drawn) {
       return tl::unexpected(drawn.error());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
@@ -20,7 +21,7 @@ class VaryingsProgram {
   // complete for every vertex, and the planes cleared to their size.
   VaryingsProgram(const std::vector<Varying>& varyings, const Draw& draw, uint32_t first_primitive, Planes& planes);
 
-  struct TriangleData {
+  struct PrimitiveData {
     uint32_t owner = 0;
     uint32_t front_facing = 0;
     // The components of each vertex, the provoking one first.
@@ -29,35 +30,30 @@ class VaryingsProgram {
 
   [[nodiscard]] ClipPosition position(uint32_t vertex) const { return draw_->positions[vertex]; }
 
-  [[nodiscard]] TriangleData triangle_data(const renderer::ShadedTriangle& triangle) const {
-    TriangleData data{.owner = first_primitive_ + triangle.primitive,
-                      .front_facing = triangle.front_facing ? 1U : 0U};
+  [[nodiscard]] PrimitiveData primitive_data(const renderer::ShadedPrimitive& primitive) const {
+    PrimitiveData data{.owner = first_primitive_ + primitive.primitive,
+                       .front_facing = primitive.front_facing ? 1U : 0U};
     for (size_t i = 0; i < 3; ++i) {
-      const size_t first_component = size_t{triangle.vertices[i]} * component_count_;
+      const size_t first_component = size_t{primitive.vertices[i]} * component_count_;
       data.components[i] = draw_->varyings.data() + first_component;
     }
     return data;
   }
 
-  void fragment(const TriangleData& data, const renderer::Fragment& fragment) const {
+  void fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const {
     const size_t pixel = static_cast<size_t>(fragment.y) * width_ + static_cast<size_t>(fragment.x);
-    ++hits_[pixel];
-    owner_[pixel] = data.owner;
-    front_facing_[pixel] = data.front_facing;
+    for_each_sample(pixel, fragment.samples, [&](size_t sample) {
+      ++hits_[sample];
+      owner_[sample] = data.owner;
+      front_facing_[sample] = data.front_facing;
+    });
     if (component_count_ == 0) {
       return;
     }
-    const auto& [value0, value1, value2] = data.components;
-    const renderer::PixelWeights weights = fragment.weights();
+    const std::array<renderer::PixelWeights, 3> weights = weights_of(fragment);
     for (uint32_t i = 0; i < component_count_; ++i) {
-      const Component& component = components_[i];
-      if (component.interpolation == Interpolation::kFlat) {
-        component.plane[pixel] = value0[i];
-      } else {
-        const bool is_smooth = component.interpolation == Interpolation::kSmooth;
-        component.plane[pixel] = renderer::interpolate(value0[i], value1[i], value2[i],
-                                                       is_smooth ? weights.smooth : weights.noperspective);
-      }
+      const float value = value_of(i, data, weights);
+      for_each_sample(pixel, fragment.samples, [&](size_t sample) { components_[i].plane[sample] = value; });
     }
   }
 
@@ -65,16 +61,53 @@ class VaryingsProgram {
   struct Component {
     float* plane = nullptr;
     Interpolation interpolation = Interpolation::kSmooth;
+    Sampling sampling = Sampling::kCenter;
   };
+
+  // Calls visit(index of the sample in the planes) for each bit of `samples`.
+  template <typename Visit>
+  void for_each_sample(size_t pixel, uint32_t samples, const Visit& visit) const {
+    for (; samples != 0; samples &= samples - 1) {
+      visit(pixel * samples_ + static_cast<size_t>(std::countr_zero(samples)));
+    }
+  }
+
+  // Where each kind of sampling takes place; only those that a varying uses are filled in.
+  [[nodiscard]] std::array<renderer::PixelWeights, 3> weights_of(const renderer::Fragment& fragment) const {
+    std::array<renderer::PixelWeights, 3> weights;
+    weights[static_cast<size_t>(Sampling::kCenter)] = fragment.weights();
+    if (has_centroid_) {
+      weights[static_cast<size_t>(Sampling::kCentroid)] = fragment.weights(fragment.centroid);
+    }
+    if (has_sample_) {
+      weights[static_cast<size_t>(Sampling::kSample)] = fragment.weights(fragment.position);
+    }
+    return weights;
+  }
+
+  [[nodiscard]] float value_of(uint32_t i, const PrimitiveData& data,
+                               const std::array<renderer::PixelWeights, 3>& weights) const {
+    const auto& [value0, value1, value2] = data.components;
+    const Component& component = components_[i];
+    if (component.interpolation == Interpolation::kFlat) {
+      return value0[i];
+    }
+    const auto& [smooth, noperspective] = weights[static_cast<size_t>(component.sampling)];
+    const bool is_smooth = component.interpolation == Interpolation::kSmooth;
+    return renderer::interpolate(value0[i], value1[i], value2[i], is_smooth ? smooth : noperspective);
+  }
 
   const Draw* draw_;
   uint32_t first_primitive_;
   size_t width_;
+  size_t samples_;
   uint32_t* hits_;
   uint32_t* owner_;
   uint32_t* front_facing_;
   std::array<Component, size_t{kMaxVaryings} * kMaxVaryingComponents> components_;
   uint32_t component_count_ = 0;
+  bool has_centroid_ = false;
+  bool has_sample_ = false;
 };
 
 // What the renderer can draw with this program.

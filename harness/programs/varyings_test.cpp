@@ -57,6 +57,15 @@ TEST(DrawCase, ClearedWhereNothingLands) {
   EXPECT_THAT(planes->varyings[1], ::testing::Each(0.0F));
 }
 
+TEST(DrawCase, AFixedPointDepthIsClearedToACode) {
+  Case drawn_case = two_draws();
+  drawn_case.target.depth_format = VK_FORMAT_D16_UNORM;
+  drawn_case.target.clear_depth = 0.1F;
+  const Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_THAT(planes->depth, ::testing::Each(static_cast<float>(6554 / 65535.0)));
+}
+
 TEST(DrawCase, WithoutADepthAttachmentThereIsNoDepthPlane) {
   Case drawn_case = two_draws();
   drawn_case.target.depth_format = VK_FORMAT_UNDEFINED;
@@ -74,6 +83,79 @@ TEST(DrawCase, OwnersCountOverAllDrawsWithIndices) {
   EXPECT_THAT(planes->owner, ::testing::Each(2));
 }
 
+// The first draw is a strip of a left and, after a restart, a right half of the target; only the offset finds its
+// vertices.
+TEST(DrawCase, RestartOffsetAndProvokingVertex) {
+  Case drawn_case = two_draws();
+  drawn_case.varyings = {{"id", 1, Interpolation::kFlat}};
+  Draw& draw = drawn_case.draws[0];
+  draw.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP;
+  draw.positions = {{0, 0, 0, 1},    {-1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}, {0, -1, 0.5F, 1},
+                    {0, 1, 0.5F, 1}, {1, -1, 0.5F, 1},  {1, 1, 0.5F, 1}};
+  draw.varyings = {0, 1, 2, 3, 4, 5, 6};
+  draw.indices = {{0, 1, 2, 3, 0xFF, 2, 3, 4, 5}};
+  draw.index_type = VK_INDEX_TYPE_UINT8_EXT;
+  draw.primitive_restart = true;
+  draw.vertex_offset = 1;
+  drawn_case.draws[1].varyings = {0, 0, 0};
+  drawn_case.draws[1].state.depth_compare = VK_COMPARE_OP_NEVER;
+  const auto ids = [&](VkProvokingVertexModeEXT mode) {
+    draw.state.provoking_vertex = mode;
+    const Result<Planes> planes = draw_case(drawn_case, {});
+    EXPECT_TRUE(planes) << to_string(planes.error());
+    EXPECT_THAT(planes->hits, ::testing::Each(1));
+    EXPECT_THAT(planes->front_facing, ::testing::Each(1));
+    // A pixel of each of the four triangles.
+    const std::array<size_t, 4> pixels{2 * 8 + 1, 5 * 8 + 3, 2 * 8 + 4, 5 * 8 + 7};
+    for (uint32_t primitive = 0; primitive < 4; ++primitive) {
+      EXPECT_EQ(planes->owner[pixels[primitive]], primitive);
+    }
+    return std::vector<float>{planes->varyings[0][pixels[0]], planes->varyings[0][pixels[1]],
+                              planes->varyings[0][pixels[2]], planes->varyings[0][pixels[3]]};
+  };
+  EXPECT_THAT(ids(VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT), ::testing::ElementsAre(1, 2, 3, 4));
+  EXPECT_THAT(ids(VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT), ::testing::ElementsAre(3, 4, 5, 6));
+}
+
+// The window's x as a varying of each kind: where it was evaluated.
+TEST(DrawCase, EveryKindOfSamplingWritesAllSamplesOfItsFragment) {
+  Case drawn_case = two_draws();
+  drawn_case.draws.pop_back();
+  drawn_case.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  Draw& draw = drawn_case.draws[0];
+  draw.state.sample_mask = 0xD;
+  drawn_case.varyings = {{"centre", 1, Interpolation::kNoperspective},
+                         {"centroid", 1, Interpolation::kNoperspective, Sampling::kCentroid}};
+  draw.positions = {{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 0.5F, 1}};
+  draw.varyings = {0, 0, 16, 16, 0, 0};
+  Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  const auto of_pixel = [](const auto& plane, size_t pixel) {
+    return std::vector(plane.begin() + static_cast<ptrdiff_t>(4 * pixel),
+                       plane.begin() + static_cast<ptrdiff_t>(4 * pixel + 4));
+  };
+  using ::testing::ElementsAre;
+  EXPECT_THAT(of_pixel(planes->hits, 2), ElementsAre(1, 0, 1, 1));
+  EXPECT_THAT(of_pixel(planes->owner, 2), ElementsAre(0, kNoOwner, 0, 0));
+  EXPECT_THAT(of_pixel(planes->depth, 2), ElementsAre(0.5F, 1, 0.5F, 0.5F));
+  EXPECT_THAT(of_pixel(planes->varyings[0], 2), ElementsAre(2.5F, 0, 2.5F, 2.5F));
+  EXPECT_THAT(of_pixel(planes->varyings[1], 2), ElementsAre(2.5F, 0, 2.5F, 2.5F));
+  // Only the second and fourth sample of each pixel of the first column.
+  draw.positions[0][0] = -1 + 0.5F / 4;
+  draw.positions[2] = {-1 + 0.5F / 4, 1023, 0.5F, 1};
+  draw.varyings = {0.5F, 0.5F, 16, 16, 0.5F, 0.5F};
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_THAT(of_pixel(planes->hits, 0), ElementsAre(0, 0, 0, 1));
+  EXPECT_NEAR(planes->varyings[0][3], 0.5, 1e-5);
+  EXPECT_NEAR(planes->varyings[1][3], 0.875, 1e-5);
+  drawn_case.varyings[1].sampling = Sampling::kSample;
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes);
+  EXPECT_NEAR(planes->varyings[1][3], 0.625, 1e-5);
+  EXPECT_NEAR(planes->varyings[1][4 * 2 + 2], 2.125, 1e-5);
+}
+
 TEST(DrawCase, RefusesWhatItCannotDraw) {
   const auto error_of = [](const auto& change) {
     Case drawn_case = two_draws();
@@ -82,8 +164,8 @@ TEST(DrawCase, RefusesWhatItCannotDraw) {
     return planes ? std::string() : planes.error().what;
   };
   using ::testing::HasSubstr;
-  EXPECT_THAT(error_of([](Case& c) { c.target.samples = VK_SAMPLE_COUNT_4_BIT; }), HasSubstr("4 samples"));
-  EXPECT_THAT(error_of([](Case& c) { c.target.depth_format = VK_FORMAT_D16_UNORM; }), HasSubstr("depth format"));
+  EXPECT_THAT(error_of([](Case& c) { c.target.samples = VK_SAMPLE_COUNT_64_BIT; }), HasSubstr("64 samples"));
+  EXPECT_THAT(error_of([](Case& c) { c.target.depth_format = VK_FORMAT_S8_UINT; }), HasSubstr("depth format 127"));
   EXPECT_THAT(error_of([](Case& c) { c.target.width = 0; }), HasSubstr("0 x 8"));
   EXPECT_THAT(error_of([](Case& c) { c.draws[1].varyings.pop_back(); }), HasSubstr("11 values"));
   EXPECT_THAT(error_of([](Case& c) { c.draws[1].indices = {{0, 1, 7}}; }), HasSubstr("index 7"));

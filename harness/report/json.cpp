@@ -52,6 +52,7 @@ Json case_json(const run::CaseResult& result) {
             {"file", result.file},
             {"status", name_of(result.status)},
             {"show", result.show_command},
+            {"explain", result.explain_command},
             {"seconds", result.seconds},
             {"samples", result.verdict.samples},
             {"covered_samples", result.verdict.covered_samples},

@@ -65,11 +65,18 @@ ValueRange range_of(const Planes& candidate, const Planes* reference) {
 Picture picture_of(const Case& test_case, const Planes& planes, const ValueRange& range) {
   Picture picture(planes.width, planes.height, kBackground);
   const uint32_t components = test_case.varyings.empty() ? 0 : test_case.varyings.front().components;
+  const auto colour_of_sample = [&](size_t index) {
+    if (planes.hits[index] == 0) return kBackground;
+    return components > 0 ? colour_of_values(planes, components, index, range)
+                          : colour_of_primitive(planes.owner[index]);
+  };
   for (size_t pixel = 0; pixel < picture.pixels.size(); ++pixel) {
-    const size_t index = pixel * planes.samples;
-    if (planes.hits[index] == 0) continue;
-    picture.pixels[pixel] = components > 0 ? colour_of_values(planes, components, index, range)
-                                           : colour_of_primitive(planes.owner[index]);
+    std::array<uint32_t, 3> sum{};
+    for (size_t sample = 0; sample < planes.samples; ++sample) {
+      const Rgb colour = colour_of_sample(pixel * planes.samples + sample);
+      for (size_t c = 0; c < 3; ++c) sum[c] += colour[c];
+    }
+    for (size_t c = 0; c < 3; ++c) picture.pixels[pixel][c] = static_cast<uint8_t>(sum[c] / planes.samples);
   }
   return picture;
 }

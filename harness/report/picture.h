@@ -25,7 +25,7 @@ struct Picture {
 };
 
 // What a party drew: the first varying as colour where there is one, scaled to the range of both parties, else a
-// colour for each primitive; dark where nothing landed.
+// colour for each primitive; dark where nothing landed. The colour of a pixel is the mean of its samples.
 struct ValueRange {
   float low = 0;
   float high = 1;

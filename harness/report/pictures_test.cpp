@@ -7,15 +7,16 @@
 #include <filesystem>
 #include <limits>
 
+#include "cases/model/temporary_folder.h"
+#include "harness/report/picture.h"
+
 namespace fillrule::report {
 namespace {
 
 class PicturesTest : public testing::Test {
  protected:
-  void SetUp() override { std::filesystem::remove_all(folder_); }
-  void TearDown() override { std::filesystem::remove_all(folder_); }
-
-  std::string folder_ = testing::TempDir() + "fillrule_pictures";
+  const TemporaryFolder temporary_;
+  const std::string folder_ = temporary_.path("made/on/demand");
   Case case_{.name = "a/b[x=1]", .target = {.width = 4, .height = 2}, .varyings = {{.name = "uv", .components = 2}}};
 };
 
@@ -34,6 +35,15 @@ run::Drawing drawing(const Case& test_case) {
   result.verdict.planes.push_back(plane);
   EXPECT_EQ(test_case.target.width, 4U);
   return result;
+}
+
+TEST(PictureOf, APixelIsTheMeanOfItsSamples) {
+  const Case one{.target = {.width = 1, .height = 1, .samples = VK_SAMPLE_COUNT_2_BIT}, .varyings = {{.name = "v"}}};
+  Planes planes = Planes::cleared(1, 1, 2, 1, 1.0F);
+  planes.hits = {1, 0};
+  planes.varyings[0] = {1.0F, 0.0F};
+  const uint8_t background = picture_of(one, Planes::cleared(1, 1, 2, 1, 1.0F), {}).at(0, 0)[0];
+  EXPECT_EQ(picture_of(one, planes, {}).at(0, 0)[0], (255 + background) / 2);
 }
 
 TEST_F(PicturesTest, OnePngSideBySideAndOneExrForEachParty) {

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "harness/report/names.h"
+#include "harness/run/counted.h"
 
 namespace fillrule::report {
 namespace {
@@ -19,6 +20,7 @@ using judge::PlaneKind;
 using judge::PlaneVerdict;
 using judge::SampleRecord;
 using judge::Verdict;
+using run::counted;
 
 constexpr std::array kVerdictsBySeverity{Verdict::kBothFault, Verdict::kCandidateFault, Verdict::kReferenceFault,
                                          Verdict::kImprecise, Verdict::kPermitted,      Verdict::kIdentical};
@@ -85,8 +87,10 @@ std::string case_text(const run::CaseResult& result) {
       text += fmt::format("    check {}: {}\n", check.name, check.message);
     }
   }
-  if (result.status == run::Status::kFailed && !result.verdict.planes.empty()) {
-    text += fmt::format("    see it: {}\n", result.show_command);
+  const bool at_fault = result.verdict.candidate_faults() > 0 || result.verdict.reference_faults() > 0;
+  if (result.status == run::Status::kFailed || at_fault) {
+    if (!result.show_command.empty()) text += fmt::format("    see it: {}\n", result.show_command);
+    if (!result.explain_command.empty()) text += fmt::format("    explain it: {}\n", result.explain_command);
   }
   return text;
 }
@@ -106,12 +110,15 @@ std::string parties_text(const run::RunResult& result) {
 std::string summary_text(const run::RunResult& result) {
   const run::Summary& summary = result.summary;
   std::string text = parties_text(result);
-  text += fmt::format("{} cases: {} passed, {} failed, {} skipped, in {:.2f} s\n", summary.cases, summary.passed,
-                      summary.failed, summary.skipped, summary.wall_seconds);
-  if (summary.failed_checks > 0) text += fmt::format("{} metamorphic checks failed\n", summary.failed_checks);
-  text += fmt::format(
-      "samples over all planes: {} identical, {} permitted, {} imprecise, {} candidate faults, {} reference faults\n",
-      summary.identical, summary.permitted, summary.imprecise, summary.candidate_faults, summary.reference_faults);
+  text += fmt::format("{}: {} passed, {} failed, {} skipped, in {:.2f} s\n", counted(summary.cases, "case"),
+                      summary.passed, summary.failed, summary.skipped, summary.wall_seconds);
+  if (summary.failed_checks > 0) {
+    text += fmt::format("{} failed\n", counted(summary.failed_checks, "metamorphic check"));
+  }
+  text +=
+      fmt::format("samples over all planes: {} identical, {} permitted, {} imprecise, {}, {}\n", summary.identical,
+                  summary.permitted, summary.imprecise, counted(summary.candidate_faults, "candidate fault"),
+                  counted(summary.reference_faults, "reference fault"));
   return text;
 }
 
@@ -119,11 +126,12 @@ std::string deviations_text(const run::RunResult& result, const run::DeviationRe
   std::string text;
   const std::string& driver = result.reference.driver;
   if (!deviations.known.empty()) {
-    text += fmt::format("{} of its known deviations were met, listed in {}\n", deviations.known.size(),
-                        run::deviations_file_name(result.reference));
+    text += fmt::format("{} of its known deviations {} met, listed in {}\n", deviations.known.size(),
+                        deviations.known.size() == 1 ? "was" : "were", run::deviations_file_name(result.reference));
   }
   for (const auto& fault : deviations.unexpected) {
-    text += fmt::format("NEW fault of {}: {}, {}, {} samples\n", driver, fault.case_name, fault.plane, fault.samples);
+    text += fmt::format("NEW fault of {}: {}, {}, {}\n", driver, fault.case_name, fault.plane,
+                        counted(fault.samples, "sample"));
   }
   for (const run::Deviation& gone : deviations.gone) {
     text += fmt::format("GONE from {}: {} ({}) no longer occurs\n", driver, fmt::join(gone.cases, ", "),
@@ -145,16 +153,15 @@ std::string disagreements_text(const run::RunResult& result) {
       const uint64_t second = plane.count(Verdict::kReferenceFault);
       const uint64_t both = plane.count(Verdict::kBothFault);
       if (first + second + both == 0) continue;
-      text += fmt::format("  {}, {}: wrong at {} samples {}, at {} {}, at {} both\n", one.name, plane.name, first,
-                          result.candidate, second, result.reference.driver, both);
+      text += fmt::format("  {}, {}: wrong at {} {}, at {} {}, at {} both\n", one.name, plane.name,
+                          counted(first, "sample"), result.candidate, second, result.reference.driver, both);
     }
     permitted_cases += permitted > 0 ? 1 : 0;
     permitted_samples += permitted;
   }
-  return fmt::format(
-      "{} and {} draw differently, as permitted, {} samples of coverage, hits, owner or facing in {} cases{}\n{}",
-      result.candidate, result.reference.driver, permitted_samples, permitted_cases,
-      text.empty() ? "" : ", and where one is wrong:", text);
+  return fmt::format("{} and {} draw differently, as permitted, {} of coverage, hits, owner or facing in {}{}\n{}",
+                     result.candidate, result.reference.driver, counted(permitted_samples, "sample"),
+                     counted(permitted_cases, "case"), text.empty() ? "" : ", and where one is wrong:", text);
 }
 
 std::string timing_text(const run::RunResult& result) {

@@ -36,7 +36,8 @@ TEST(Terminal, AFailedCaseShowsCountsBoxFirstAndWorstSample) {
   uv.worst->candidate = std::numeric_limits<double>::quiet_NaN();
   run::CaseResult result{.name = "clipping/near[angle=30]",
                          .status = run::Status::kFailed,
-                         .show_command = "fillrule show 'clipping/near[angle=30]'"};
+                         .show_command = "fillrule show 'clipping/near[angle=30]'",
+                         .explain_command = "fillrule explain 'clipping/near[angle=30]' --pixel 9,4"};
   result.verdict.planes = {coverage, owner, uv};
   EXPECT_EQ(case_text(result),
             "  FAILED  clipping/near[angle=30]\n"
@@ -46,7 +47,18 @@ TEST(Terminal, AFailedCaseShowsCountsBoxFirstAndWorstSample) {
             "to (9, 8)\n"
             "      first (3, 4) .y: candidate fault, candidate 0.25, reference 0.5, exact 0.5 +- 1.5e-07\n"
             "      worst (9, 4) .y: candidate fault, candidate nan, reference 0.5, exact 0.5 +- 1.5e-07\n"
-            "    see it: fillrule show 'clipping/near[angle=30]'\n");
+            "    see it: fillrule show 'clipping/near[angle=30]'\n"
+            "    explain it: fillrule explain 'clipping/near[angle=30]' --pixel 9,4\n");
+}
+
+TEST(Terminal, AFaultOfTheReferenceAloneCanBeSeenToo) {
+  judge::PlaneVerdict depth{.name = "depth", .kind = judge::PlaneKind::kDepth};
+  depth.counts = {4095, 0, 0, 1, 0, 0};
+  run::CaseResult result{.name = "a/b", .show_command = "fillrule show 'a/b'"};
+  result.verdict.planes = {depth};
+  EXPECT_NE(case_text(result).find("    see it: fillrule show 'a/b'\n"), std::string::npos);
+  result.verdict.planes[0].counts = {4095, 1, 0, 0, 0, 0};
+  EXPECT_EQ(case_text(result).find("see it"), std::string::npos);
 }
 
 TEST(Terminal, ASkippedCaseGivesTheReason) {
@@ -73,7 +85,7 @@ TEST(Terminal, TheSummaryNamesThePartiesAndCounts) {
       summary_text(result),
       "candidate renderer (8 subpixel bits) against lavapipe (llvmpipe, Mesa 1, 8 subpixel bits) and the oracle\n"
       "5 cases: 3 passed, 1 failed, 1 skipped, in 0.50 s\n"
-      "samples over all planes: 100 identical, 10 permitted, 2 imprecise, 1 candidate faults, 4 reference faults\n");
+      "samples over all planes: 100 identical, 10 permitted, 2 imprecise, 1 candidate fault, 4 reference faults\n");
   result.reference = {.driver = "none"};
   EXPECT_EQ(summary_text(result).substr(0, 61), "candidate renderer (8 subpixel bits) against the oracle alone");
 }
@@ -86,7 +98,7 @@ TEST(Terminal, NewFaultsOfTheReferenceAndThoseThatAreGoneAreTold) {
   EXPECT_EQ(deviations_text(result, {.unexpected = {{.case_name = "a/b", .plane = "depth", .samples = 3}},
                                      .known = {{.case_name = "a/c", .plane = "depth", .samples = 1}},
                                      .gone = {{.cases = {"a/*"}, .planes = {"owner", "hits"}}}}),
-            "1 of its known deviations were met, listed in lavapipe-22.3.6.toml\n"
+            "1 of its known deviations was met, listed in lavapipe-22.3.6.toml\n"
             "NEW fault of lavapipe: a/b, depth, 3 samples\n"
             "GONE from lavapipe: a/* (owner, hits) no longer occurs\n");
 }
@@ -103,7 +115,7 @@ TEST(Terminal, TwoReferencesThatDisagreeAreToldApart) {
   EXPECT_EQ(
       disagreements_text(result),
       "lavapipe and swiftshader draw differently, as permitted, 4 samples of coverage, hits, owner or facing in 1 "
-      "cases, and where one is wrong:\n"
+      "case, and where one is wrong:\n"
       "  a/b, coverage: wrong at 3 samples lavapipe, at 2 swiftshader, at 1 both\n");
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cases/model/case.h"
+#include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
 
@@ -15,6 +16,10 @@ namespace fillrule::run {
 struct Candidate {
   std::string name;
   uint32_t subpixel_bits = 8;
+  // What it can draw of the features that a case may need.
+  FeatureSet features;
+  // Why it cannot draw a case, if it cannot: what it lacks, or a limit.
+  std::function<Result<void>(const Case&)> check;
   // Draws with so many threads, 0 for the number in the options. May be called by several threads at once.
   std::function<Result<Planes>(const Case&, uint32_t threads)> draw;
 };
@@ -25,8 +30,8 @@ struct CandidateOptions {
   std::vector<std::string> driver_files;  // as in vulkan::list_devices
 };
 
-// The candidates there are: "renderer", and every Vulkan driver by the name that `fillrule devices` shows. Any other
-// name is an error that says so.
+// The candidates there are: "renderer", "renderer:scanline" (which fills by scanlines instead of by edge functions),
+// and every Vulkan driver by the name that `fillrule devices` shows. Any other name is an error that says so.
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options);
 
 }  // namespace fillrule::run

@@ -5,6 +5,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "cases/model/temporary_folder.h"
+
 namespace fillrule::run {
 namespace {
 
@@ -55,13 +57,13 @@ TEST(Deviations, AnEntryOfTwoPlanesIsGoneWhenOneOfThemIs) {
 
 class DeviationsFile : public testing::Test {
  protected:
-  void TearDown() override { std::filesystem::remove(path_); }
   std::string error_of(const std::string& text) {
     std::ofstream(path_) << text;
     const auto read = read_deviations(path_);
     return read ? "" : to_string(read.error()).substr(path_.size());
   }
-  std::string path_ = testing::TempDir() + "fillrule_deviations.toml";
+  const TemporaryFolder folder_;
+  const std::string path_ = folder_.path("deviations.toml");
 };
 
 TEST_F(DeviationsFile, IsReadWhole) {

@@ -13,17 +13,22 @@ namespace fillrule::run {
 
 enum class Status : uint8_t {
   kPassed,
-  kFailed,   // the candidate is at fault, or fails a check, or could not draw; or the reference broke down
-  kSkipped,  // the reference cannot draw the case; `message` tells why
+  kFailed,  // the candidate is at fault, or fails a check, or could not draw; or the reference broke down
+  // A party cannot draw or judge the case; `message` tells why. Where it is the reference, the candidate was held
+  // against the oracle alone, and found without fault.
+  kSkipped,
 };
 
 struct CaseResult {
   std::string name;
   std::string file;
   Status status = Status::kPassed;
-  std::string message;       // why a case was skipped, or failed without a verdict
-  std::string show_command;  // that shows the case again, with the same parties
-  double seconds = 0;        // the candidate's drawing and the judging; the reference draws in batches
+  std::string message;  // why a case was skipped, or failed without a verdict
+  // Commands that show the case again, and explain its worst sample, with the same parties; empty where there are
+  // none.
+  std::string show_command;
+  std::string explain_command;
+  double seconds = 0;  // the candidate's drawing and the judging; the reference draws in batches
   judge::CaseVerdict verdict;
   std::vector<judge::CheckResult> checks;  // empty where they were not asked for
 };

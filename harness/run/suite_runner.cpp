@@ -97,12 +97,18 @@ struct SuiteRunner::State {
     return judge::judge(test_case, candidate_party, &reference_party, settings);
   }
 
+  // Whether the candidate can draw the case and the oracle judge it.
+  [[nodiscard]] Result<void> can_finish(const Case& test_case) const {
+    const FeatureSet unjudged = features_of(test_case).without(exact::oracle_features());
+    if (!unjudged.empty()) return failure("the oracle lacks " + to_string(unjudged));
+    return candidate.check(test_case);
+  }
+
   // The candidate's part and the verdict.
   void finish(const Case& test_case, const Planes* reference_planes, CaseResult& result, Timing& timing) const {
-    const FeatureSet unjudged = features_of(test_case).without(exact::oracle_features());
-    if (!unjudged.empty()) {
+    if (Result<void> can = can_finish(test_case); !can) {
       result.status = Status::kSkipped;
-      result.message = "the oracle lacks " + to_string(unjudged);
+      result.message = to_string(can.error());
       return;
     }
     const auto start = Clock::now();
@@ -129,7 +135,7 @@ struct SuiteRunner::State {
     if (result.verdict.candidate_faults() > 0 || check_failed) result.status = Status::kFailed;
   }
 
-  // Draws one batch. Cases that the device cannot draw are skipped, and told so in the results.
+  // Draws one batch. Cases that the device cannot draw are marked as skipped, with the reason.
   std::vector<std::unique_ptr<const Planes>> draw_batch(std::span<const Case> batch, std::span<CaseResult> results) {
     std::vector<std::unique_ptr<const Planes>> drawn(batch.size());
     std::vector<const Case*> accepted;
@@ -137,7 +143,7 @@ struct SuiteRunner::State {
     for (size_t i = 0; i < batch.size(); ++i) {
       if (const Result<void> can = vulkan::check_case(reference->device(), batch[i]); !can) {
         results[i].status = Status::kSkipped;
-        results[i].message = to_string(can.error());
+        results[i].message = to_string(can.error()) + "; held against the oracle alone";
         continue;
       }
       accepted.push_back(&batch[i]);
@@ -165,7 +171,7 @@ struct SuiteRunner::State {
         timing.reference_seconds += seconds_since(start);
       }
       for (size_t i = 0; i < size; ++i) {
-        if (reference && !drawn[i]) continue;
+        if (results[begin + i].status == Status::kFailed) continue;
         queue.push({.index = begin + i, .reference = std::move(drawn[i])});
       }
     }
@@ -266,14 +272,13 @@ RunResult SuiteRunner::run(std::span<const Case> cases) {
 }
 
 Result<Drawing> SuiteRunner::draw(const Case& test_case) {
+  if (const Result<void> can = state_->can_finish(test_case); !can) return tl::unexpected(can.error());
   Drawing drawing;
   Result<Planes> candidate = state_->candidate.draw(test_case, 0);
   if (!candidate) return tl::unexpected(candidate.error());
   drawing.candidate = std::move(*candidate);
-  if (state_->reference) {
-    if (const Result<void> can = vulkan::check_case(state_->reference->device(), test_case); !can) {
-      return tl::unexpected(can.error());
-    }
+  // What the device cannot draw is shown without it.
+  if (state_->reference && vulkan::check_case(state_->reference->device(), test_case)) {
     const Case* const one = &test_case;
     std::vector<Result<Planes>> planes = state_->reference->draw({&one, 1});
     if (!planes.front()) return tl::unexpected(planes.front().error());

@@ -23,7 +23,7 @@ uint64_t count_triangles(Family family, Predicate predicate) {
   for (uint64_t number = 0; number < kCases; ++number) {
     const Case one = random_case(kSeed, family, number);
     const exact::Expectation expectation(one, 8);
-    for (const exact::Primitive& primitive : expectation.primitives()) count += predicate(primitive.triangle) ? 1 : 0;
+    for (const exact::Piece& piece : expectation.pieces()) count += predicate(*piece.triangle()) ? 1 : 0;
   }
   return count;
 }

@@ -8,6 +8,7 @@
 #include <fstream>
 
 #include "cases/format/writer.h"
+#include "harness/run/counted.h"
 #include "harness/stress/generate.h"
 #include "harness/stress/reduce.h"
 
@@ -174,10 +175,11 @@ std::string summary_text(const StressResult& result) {
   const FamilyCounts total = result.total();
   text += row("all", total);
   text += fmt::format(
-      "{} triangles in {} cases: {} failed; the reference alone at fault in {}, with known deviations in {} more\n"
+      "{} in {}: {} failed; the reference alone at fault in {}, with known deviations in {} more\n"
       "{:.2f} s, {:.0f} triangles a second\n",
-      total.triangles, total.cases, total.failed_cases, total.unexpected_deviation_cases, total.known_deviation_cases,
-      result.wall_seconds, static_cast<double>(total.triangles) / result.wall_seconds);
+      run::counted(total.triangles, "triangle"), run::counted(total.cases, "case"), total.failed_cases,
+      total.unexpected_deviation_cases, total.known_deviation_cases, result.wall_seconds,
+      static_cast<double>(total.triangles) / result.wall_seconds);
   return text;
 }
 

@@ -1,17 +1,19 @@
 #include "harness/stress/stress.h"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <filesystem>
-
 #include "cases/format/reader.h"
+#include "cases/model/temporary_folder.h"
 #include "harness/programs/varyings.h"
 
 namespace fillrule::stress {
 namespace {
 
-const std::string kFolder = testing::TempDir() + "fillrule_stress_test";
+class Stress : public testing::Test {
+ protected:
+  const TemporaryFolder out_;
+  const std::string& folder_ = out_.path();
+};
 
 Result<Planes> draw(const Case& one, uint32_t /*threads*/) {
   return programs::draw_case(one, {});
@@ -33,12 +35,13 @@ Result<Planes> draw_without_a_sample(const Case& one, uint32_t threads) {
 
 Result<run::SuiteRunner> runner_with(Result<Planes> (*draw_case)(const Case&, uint32_t), const std::string& reference,
                                      uint32_t jobs = 2) {
-  return run::SuiteRunner::create({.reference = reference, .checks = false, .jobs = jobs},
-                                  {.name = "test", .draw = draw_case});
+  return run::SuiteRunner::create(
+      {.reference = reference, .checks = false, .jobs = jobs},
+      {.name = "test", .check = [](const Case&) { return Result<void>(); }, .draw = draw_case});
 }
 
-TEST(Stress, TheRendererIsRightAboutEveryFamilyAndTheCountsAreThoseOfAnyNumberOfJobs) {
-  const StressOptions options{.seed = 5, .triangles = 1600, .folder = kFolder};
+TEST_F(Stress, TheRendererIsRightAboutEveryFamilyAndTheCountsAreThoseOfAnyNumberOfJobs) {
+  const StressOptions options{.seed = 5, .triangles = 1600, .folder = folder_};
   std::vector<std::string> counts;
   for (const uint32_t jobs : {1U, 3U}) {
     auto runner = runner_with(draw, run::kNoReference, jobs);
@@ -59,22 +62,21 @@ TEST(Stress, TheRendererIsRightAboutEveryFamilyAndTheCountsAreThoseOfAnyNumberOf
   EXPECT_EQ(counts[0], counts[1]);
 }
 
-TEST(Stress, OnlyTheFamiliesAskedForAreDrawn) {
+TEST_F(Stress, OnlyTheFamiliesAskedForAreDrawn) {
   auto runner = runner_with(draw, run::kNoReference);
   ASSERT_TRUE(runner);
   const StressResult result =
-      run_stress({.triangles = 40, .families = {Family::kTies, Family::kHuge}, .folder = kFolder}, *runner, nullptr);
+      run_stress({.triangles = 40, .families = {Family::kTies, Family::kHuge}, .folder = folder_}, *runner, nullptr);
   ASSERT_EQ(result.families.size(), 2U);
   EXPECT_EQ(result.families[0].family, Family::kTies);
   EXPECT_EQ(result.total().triangles, 40U);
 }
 
-TEST(Stress, ALostSampleIsFoundAndItsCaseReadsBackAndFailsAgain) {
-  std::filesystem::remove_all(kFolder);
+TEST_F(Stress, ALostSampleIsFoundAndItsCaseReadsBackAndFailsAgain) {
   auto runner = runner_with(draw_without_a_sample, run::kNoReference);
   ASSERT_TRUE(runner);
   const StressResult result = run_stress(
-      {.triangles = 160, .families = {Family::kOnGrid}, .folder = kFolder, .files_per_family = 3}, *runner, nullptr);
+      {.triangles = 160, .families = {Family::kOnGrid}, .folder = folder_, .files_per_family = 3}, *runner, nullptr);
   EXPECT_GT(result.total().failed_cases, 3U);
   EXPECT_GT(result.total().candidate_faults, 0U);
   ASSERT_EQ(result.findings.size(), 3U);
@@ -88,12 +90,11 @@ TEST(Stress, ALostSampleIsFoundAndItsCaseReadsBackAndFailsAgain) {
   }
 }
 
-TEST(Stress, AFaultOfTheReferenceAloneFailsNoCase) {
-  std::filesystem::remove_all(kFolder);
+TEST_F(Stress, AFaultOfTheReferenceAloneFailsNoCase) {
   auto runner = runner_with(draw, "lavapipe");
   ASSERT_TRUE(runner);
   const StressResult result = run_stress(
-      {.triangles = 400, .families = {Family::kBig, Family::kMixedW}, .folder = kFolder}, *runner, nullptr);
+      {.triangles = 400, .families = {Family::kBig, Family::kMixedW}, .folder = folder_}, *runner, nullptr);
   // Lavapipe: noperspective varyings after clipping.
   EXPECT_EQ(result.total().failed_cases, 0U);
   EXPECT_GT(result.total().unexpected_deviation_cases, 0U);
@@ -101,13 +102,13 @@ TEST(Stress, AFaultOfTheReferenceAloneFailsNoCase) {
   EXPECT_GT(result.findings[0].result.verdict.reference_faults(), 0U);
 }
 
-TEST(Stress, KnownDeviationsAreCountedAndNotTold) {
+TEST_F(Stress, KnownDeviationsAreCountedAndNotTold) {
   auto runner = runner_with(draw, "lavapipe");
   ASSERT_TRUE(runner);
   const StressOptions options{
       .triangles = 400,
       .families = {Family::kMixedW},
-      .folder = kFolder,
+      .folder = folder_,
       .known = {{.cases = {"stress/*"}, .planes = {"noperspective"}, .reason = "r", .source = "s"}}};
   const StressResult result = run_stress(options, *runner, nullptr);
   EXPECT_TRUE(result.findings.empty());
@@ -115,7 +116,7 @@ TEST(Stress, KnownDeviationsAreCountedAndNotTold) {
   EXPECT_GT(result.total().known_deviation_cases, 0U);
 }
 
-TEST(Stress, AFolderThatCannotBeMadeIsTold) {
+TEST_F(Stress, AFolderThatCannotBeMadeIsTold) {
   auto runner = runner_with(draw_without_a_sample, run::kNoReference);
   ASSERT_TRUE(runner);
   const StressResult result =

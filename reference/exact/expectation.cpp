@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "reference/exact/assembly.h"
+#include "reference/exact/value_bound.h"
 
 namespace fillrule::exact {
 namespace {
@@ -26,9 +27,9 @@ int32_t to_pixel(double position, int32_t low, int32_t high) {
   return position < high ? static_cast<int32_t>(position) : high;
 }
 
-// The pixels that a primitive can touch: its bounds, the scissor and the target.
-VkRect2D pixels_of(const Primitive& primitive, const RasterState& state, const Target& target) {
-  const auto bounds = primitive.triangle.bounds(primitive.latitude);
+// The pixels that a piece can touch: its bounds, the scissor and the target.
+VkRect2D pixels_of(const Piece& piece, const RasterState& state, const Target& target) {
+  const auto bounds = piece.shape->bounds(piece.latitude);
   const int64_t scissor_right = int64_t{state.scissor.offset.x} + int64_t{state.scissor.extent.width};
   const int64_t scissor_bottom = int64_t{state.scissor.offset.y} + int64_t{state.scissor.extent.height};
   const auto left = static_cast<int32_t>(std::max<int64_t>(state.scissor.offset.x, 0));
@@ -57,38 +58,48 @@ Block block_of(const VkRect2D& pixels) {
 
 Expectation::Expectation(const Case& test_case, uint32_t subpixel_bits) {
   sole_.assign(size_t{test_case.target.width} * test_case.target.height, kNothing);
-  for (uint32_t draw = 0; draw < test_case.draws.size(); ++draw) add_draw(test_case, draw, subpixel_bits);
+  uint32_t first_primitive = 0;
+  for (uint32_t draw = 0; draw < test_case.draws.size(); ++draw) {
+    add_draw(test_case, draw, first_primitive, subpixel_bits);
+    first_primitive += primitive_count(test_case.draws[draw]);
+  }
 }
 
-void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t subpixel_bits) {
+void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t first_primitive,
+                           uint32_t subpixel_bits) {
   const Draw& draw = test_case.draws[draw_number];
   const Latitude latitude = latitude_of(draw.state.viewport, subpixel_bits);
   const double snap = std::ldexp(1.0, -static_cast<int>(subpixel_bits));
+  uint32_t owner = first_primitive;
   for (const AssembledTriangle& assembled : assemble(draw)) {
     const std::array<ClipPosition, 3> positions{draw.positions[assembled.vertices[0]],
                                                 draw.positions[assembled.vertices[1]],
                                                 draw.positions[assembled.vertices[2]]};
-    Primitive primitive{.draw = draw_number,
-                        .vertices = assembled.vertices,
-                        .provoking = assembled.provoking,
-                        .triangle = Triangle(positions, draw.state.viewport),
-                        .latitude = latitude};
-    primitive.front_facing = is_front_facing(draw.state, primitive.triangle.orientation());
-    primitive.culled = culled(draw.state, primitive.front_facing);
-    primitive.facing_in_doubt = primitive.triangle.orientation_in_doubt(latitude);
-    primitive.thin = primitive.triangle.thinner_than(snap);
-    primitives_.push_back(primitive);
-    add_primitive(test_case, static_cast<uint32_t>(primitives_.size() - 1));
+    auto triangle = std::make_unique<Triangle>(positions, draw.state.viewport);
+    Piece piece;
+    piece.owner = owner++;
+    piece.draw = draw_number;
+    piece.vertices = assembled.vertices;
+    piece.provoking = assembled.vertices[assembled.provoking];
+    piece.latitude = latitude;
+    piece.front_facing = is_front_facing(draw.state, triangle->orientation());
+    piece.culled = culled(draw.state, piece.front_facing);
+    piece.facing_in_doubt = triangle->orientation_in_doubt(latitude);
+    piece.thin = triangle->thinner_than(snap);
+    piece.shape = std::move(triangle);
+    add_piece(test_case, std::move(piece));
   }
 }
 
-void Expectation::add_primitive(const Case& test_case, uint32_t number) {
-  const Primitive& primitive = primitives_[number];
-  const RasterState& state = test_case.draws[primitive.draw].state;
-  const bool is_culled = primitive.culled;
+void Expectation::add_piece(const Case& test_case, Piece added) {
+  const auto number = static_cast<uint32_t>(pieces_.size());
+  pieces_.push_back(std::move(added));
+  const Piece& piece = pieces_.back();
+  const RasterState& state = test_case.draws[piece.draw].state;
+  const bool is_culled = piece.culled;
   // Culled whichever way it faces, or certainly facing the culled way.
-  if (is_culled && (!primitive.facing_in_doubt || culled(state, !primitive.front_facing))) return;
-  const VkRect2D pixels = pixels_of(primitive, state, test_case.target);
+  if (is_culled && (!piece.facing_in_doubt || culled(state, !piece.front_facing))) return;
+  const VkRect2D pixels = pixels_of(piece, state, test_case.target);
   const uint32_t width = test_case.target.width;
   const auto right = pixels.offset.x + static_cast<int32_t>(pixels.extent.width);
   const auto bottom = pixels.offset.y + static_cast<int32_t>(pixels.extent.height);
@@ -98,7 +109,7 @@ void Expectation::add_primitive(const Case& test_case, uint32_t number) {
         const VkRect2D block{.offset = {.x = x, .y = y},
                              .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
                                         .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
-        classify_block(primitive, block, width, visit);
+        classify_block(piece, block, width, visit);
       }
     }
   };
@@ -119,13 +130,13 @@ void Expectation::add_primitive(const Case& test_case, uint32_t number) {
       for (const Classified& classified : open) append(classified.sample, classified.classification, number);
     }
   }
-  if (certain) primitives_[number].facing_in_doubt = false;
+  if (certain) pieces_[number].facing_in_doubt = false;
 }
 
 template <typename Visit>
-void Expectation::classify_block(const Primitive& primitive, const VkRect2D& block, uint32_t width,
+void Expectation::classify_block(const Piece& piece, const VkRect2D& block, uint32_t width,
                                  const Visit& visit) const {
-  const BlockClassification whole = primitive.triangle.classify_block(block_of(block), primitive.latitude);
+  const BlockClassification whole = piece.shape->classify_block(block_of(block), piece.latitude);
   if (whole.coverage == Coverage::kMustNot) return;
   for (uint32_t row = 0; row < block.extent.height; ++row) {
     const uint32_t y = static_cast<uint32_t>(block.offset.y) + row;
@@ -133,7 +144,7 @@ void Expectation::classify_block(const Primitive& primitive, const VkRect2D& blo
       const uint32_t x = static_cast<uint32_t>(block.offset.x) + column;
       Classification classification{.coverage = Coverage::kMust};
       if (whole.coverage == Coverage::kMay) {
-        classification = primitive.triangle.classify(x + 0.5, y + 0.5, primitive.latitude, whole.undecided);
+        classification = piece.shape->classify(x + 0.5, y + 0.5, piece.latitude, whole.undecided);
         if (classification.coverage == Coverage::kMustNot) continue;
       }
       visit(size_t{y} * width + x, classification);
@@ -150,10 +161,10 @@ void Expectation::append(size_t sample, const Classification& classification, ui
   if (sole != kSeveral) {
     if (lists_.empty()) lists_.resize(sole_.size());
     lists_[sample] = {.first = kNothing, .last = kNothing};
-    if (sole != kNothing) append_node(sample, {.primitive = sole, .coverage = Coverage::kMust});
+    if (sole != kNothing) append_node(sample, {.piece = sole, .coverage = Coverage::kMust});
     sole = kSeveral;
   }
-  append_node(sample, {.primitive = number, .coverage = classification.coverage, .doubt = classification.doubt});
+  append_node(sample, {.piece = number, .coverage = classification.coverage, .doubt = classification.doubt});
 }
 
 void Expectation::append_node(size_t sample, const Entry& entry) {
@@ -169,10 +180,29 @@ void Expectation::collect(size_t sample, std::vector<Entry>& entries) const {
   const uint32_t sole = sole_[sample];
   if (sole == kNothing) return;
   if (sole != kSeveral) {
-    entries.push_back({.primitive = sole, .coverage = Coverage::kMust});
+    entries.push_back({.piece = sole, .coverage = Coverage::kMust});
     return;
   }
   for (uint32_t i = lists_[sample].first; i != kNothing; i = nodes_[i].next) entries.push_back(nodes_[i].entry);
+}
+
+std::unique_ptr<PieceValues> values_of(const Case& test_case, const Piece& piece) {
+  const Draw& draw = test_case.draws[piece.draw];
+  const uint32_t stride = vertex_component_count(test_case.varyings);
+  const auto value = [&](uint32_t vertex, uint32_t component) {
+    return draw.varyings[size_t{vertex} * stride + component];
+  };
+  auto values = std::make_unique<TriangleValues>(*piece.triangle(), piece.latitude);
+  uint32_t component = 0;
+  for (const Varying& varying : test_case.varyings) {
+    if (varying.source != VaryingSource::kVertices) continue;
+    for (uint32_t c = 0; c < varying.components; ++c, ++component) {
+      const std::array<float, 3> q{value(piece.vertices[0], component), value(piece.vertices[1], component),
+                                   value(piece.vertices[2], component)};
+      values->add_component(values->component(varying.interpolation, q, value(piece.provoking, component)));
+    }
+  }
+  return values;
 }
 
 }  // namespace fillrule::exact

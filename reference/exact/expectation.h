@@ -1,37 +1,49 @@
-// What the specification says of a whole case, for a party of given subpixel bits: at each sample the primitives that
-// must or may land there, in submission order, culling and scissor applied, the depth test not yet.
+// What the specification says of a whole case, for a party of given subpixel bits: at each sample the pieces of
+// primitives that must or may land there, in submission order, culling and scissor applied, the depth test not yet.
 #pragma once
 
 #include <cstdint>
-#include <optional>
+#include <memory>
 #include <vector>
 
 #include "cases/model/case.h"
+#include "reference/exact/piece_values.h"
+#include "reference/exact/shape.h"
 #include "reference/exact/triangle.h"
-#include "reference/exact/value_bound.h"
 
 namespace fillrule::exact {
 
-struct Primitive {
-  uint32_t draw = 0;  // index into Case::draws
-  std::array<uint32_t, 3> vertices{};
-  uint32_t provoking = 0;  // which of the three
-  Triangle triangle;
+// What is rasterized on its own: a triangle, a line or a point, or an edge or a corner of a polygon that is drawn as
+// lines or points. The pieces of a polygon have one owner.
+struct Piece {
+  enum class Kind : uint8_t { kTriangle };
+
+  uint32_t owner = 0;  // the primitive, counted over all draws of the case: what the planes show
+  uint32_t draw = 0;   // index into Case::draws
+  Kind kind = Kind::kTriangle;
+  std::array<uint32_t, 3> vertices{};  // of the draw
+  uint32_t provoking = 0;              // the vertex of the draw that flat varyings come from
+  std::unique_ptr<const Shape> shape;
   Latitude latitude;
   bool front_facing = false;
   bool facing_in_doubt = false;  // rounding may turn it over
   bool culled = false;           // if rounding does not turn it over
   bool thin = false;             // its values are undefined ground
+
+  // The shape of a triangle; null for any other kind.
+  [[nodiscard]] const Triangle* triangle() const {
+    return kind == Kind::kTriangle ? static_cast<const Triangle*>(shape.get()) : nullptr;
+  }
 };
 
-// One primitive at one sample.
+// One piece at one sample.
 struct Entry {
-  uint32_t primitive = 0;
+  uint32_t piece = 0;                  // index into Expectation::pieces()
   Coverage coverage = Coverage::kMay;  // kMay or kMust
   uint8_t doubt = 0;                   // DoubtBits
 };
 
-// What Expectation::sole() says where no primitive can land, and where there is more to say than one number.
+// What Expectation::sole() says where nothing can land, and where there is more to say than one number.
 inline constexpr uint32_t kNothing = 0xFFFFFFFFU;
 inline constexpr uint32_t kSeveral = 0xFFFFFFFEU;
 
@@ -39,9 +51,10 @@ class Expectation {
  public:
   Expectation(const Case& test_case, uint32_t subpixel_bits);
 
-  [[nodiscard]] const std::vector<Primitive>& primitives() const { return primitives_; }
+  // In the order in which they are drawn.
+  [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
 
-  // For each sample the number of the primitive that must cover it while no other one may, kNothing or kSeveral.
+  // For each sample the number of the piece that must cover it while no other one may, kNothing or kSeveral.
   [[nodiscard]] const std::vector<uint32_t>& sole() const { return sole_; }
 
   // All entries of a sample, in submission order.
@@ -61,17 +74,20 @@ class Expectation {
     uint32_t first = 0;
     uint32_t last = 0;
   };
-  void add_draw(const Case& test_case, uint32_t draw, uint32_t subpixel_bits);
-  void add_primitive(const Case& test_case, uint32_t number);
+  void add_draw(const Case& test_case, uint32_t draw, uint32_t first_primitive, uint32_t subpixel_bits);
+  void add_piece(const Case& test_case, Piece piece);
   template <typename Visit>
-  void classify_block(const Primitive& primitive, const VkRect2D& block, uint32_t width, const Visit& visit) const;
+  void classify_block(const Piece& piece, const VkRect2D& block, uint32_t width, const Visit& visit) const;
   void append(size_t sample, const Classification& classification, uint32_t number);
   void append_node(size_t sample, const Entry& entry);
 
-  std::vector<Primitive> primitives_;
+  std::vector<Piece> pieces_;
   std::vector<uint32_t> sole_;
   std::vector<Node> nodes_;
   std::vector<SampleList> lists_;  // empty until a sample has several entries
 };
+
+// The exact values of a piece, which has to stay where it is. Not for pieces that are undefined or have no area.
+std::unique_ptr<PieceValues> values_of(const Case& test_case, const Piece& piece);
 
 }  // namespace fillrule::exact

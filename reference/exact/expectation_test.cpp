@@ -25,7 +25,7 @@ std::vector<Entry> entries_at(const Expectation& expectation, uint32_t x, uint32
 
 std::vector<uint32_t> primitives_at(const Expectation& expectation, uint32_t x, uint32_t y) {
   std::vector<uint32_t> numbers;
-  for (const Entry& entry : entries_at(expectation, x, y)) numbers.push_back(entry.primitive);
+  for (const Entry& entry : entries_at(expectation, x, y)) numbers.push_back(entry.piece);
   return numbers;
 }
 
@@ -50,9 +50,9 @@ TEST(Expectation, ASampleOnTheDiagonalIsInDoubtForBoth) {
 
 TEST(Expectation, CullingAndFacing) {
   Case culled = square();
-  EXPECT_FALSE(Expectation(culled, 8).primitives()[0].front_facing);
+  EXPECT_FALSE(Expectation(culled, 8).pieces()[0].front_facing);
   culled.draws[0].state.front_face = VK_FRONT_FACE_CLOCKWISE;
-  EXPECT_TRUE(Expectation(culled, 8).primitives()[0].front_facing);
+  EXPECT_TRUE(Expectation(culled, 8).pieces()[0].front_facing);
   culled.draws[0].state.cull_mode = VK_CULL_MODE_BACK_BIT;
   EXPECT_FALSE(primitives_at(Expectation(culled, 8), 5, 5).empty());
   culled.draws[0].state.cull_mode = VK_CULL_MODE_FRONT_BIT;
@@ -78,8 +78,8 @@ TEST(Expectation, ASliverThatMayTurnOverIsLeftOpenWhenCulled) {
   sliver.draws[0].positions = {at(2, 4.5), at(14, 4.5), at(8, 4.5 + 1.0 / 2048)};
   sliver.draws[0].state.cull_mode = VK_CULL_MODE_BACK_BIT;
   const Expectation expectation(sliver, 8);
-  EXPECT_TRUE(expectation.primitives()[0].facing_in_doubt);
-  EXPECT_TRUE(expectation.primitives()[0].thin);
+  EXPECT_TRUE(expectation.pieces()[0].facing_in_doubt);
+  EXPECT_TRUE(expectation.pieces()[0].thin);
   ASSERT_FALSE(entries_at(expectation, 8, 4).empty());
   EXPECT_EQ(entries_at(expectation, 8, 4)[0].coverage, Coverage::kMay);
 }
@@ -88,7 +88,7 @@ TEST(Expectation, AVisibleSampleSettlesTheFacingOfATriangleBehindTheEye) {
   Case behind = square();
   behind.draws[0].positions = {{0, 0.9F, 0.5F, 1}, {-0.9F, -0.9F, 0.5F, 1}, {0.5F, 0, -0.5F, -1}};
   const Expectation expectation(behind, 8);
-  EXPECT_FALSE(expectation.primitives()[0].facing_in_doubt);
+  EXPECT_FALSE(expectation.pieces()[0].facing_in_doubt);
 }
 
 }  // namespace

@@ -18,46 +18,16 @@
 #include "cases/model/case.h"
 #include "reference/exact/latitude.h"
 #include "reference/exact/linear_form.h"
+#include "reference/exact/shape.h"
 
 namespace fillrule::exact {
 
-enum class Coverage : uint8_t { kMustNot, kMay, kMust };
-
-// Which boundaries of a primitive leave a sample in doubt. Bits 0 to 2: the edge opposite of vertex 0, 1, 2.
-enum DoubtBits : uint8_t { kDoubtEdge0 = 1, kDoubtEdges = 7, kDoubtNear = 8, kDoubtFar = 16, kDoubtViewport = 32 };
-
-struct Classification {
-  Coverage coverage = Coverage::kMustNot;
-  uint8_t doubt = 0;  // DoubtBits; nonzero exactly if coverage is kMay
-};
-
-inline constexpr uint8_t kEveryBoundary = 0xFF;
-
-// What holds for every sample of a block; `undecided` are the boundaries (DoubtBits) that each sample has to be asked
-// about where coverage is kMay. All others are further away than the latitude, on the inside.
-struct BlockClassification {
-  Coverage coverage = Coverage::kMay;
-  uint8_t undecided = kEveryBoundary;
-};
-
-// A rectangle of samples: a centre and half its size, in pixels.
-struct Block {
-  double x = 0;
-  double y = 0;
-  double half_width = 0;
-  double half_height = 0;
-};
-
-class Triangle {
+class Triangle final : public Shape {
  public:
   Triangle(const std::array<ClipPosition, 3>& vertices, const VkViewport& viewport);
 
-  // True where Vulkan says nothing: NaN, infinity, or coordinates whose products leave float32. The triangle may then
-  // cover anything inside the viewport, and has no values.
-  [[nodiscard]] bool undefined() const { return undefined_; }
-
-  // True if no implementation has to clip it: every vertex is inside the view volume.
-  [[nodiscard]] bool inside_volume() const { return inside_volume_; }
+  [[nodiscard]] bool undefined() const override { return undefined_; }
+  [[nodiscard]] bool inside_volume() const override { return inside_volume_; }
 
   // True if every vertex is in front of the eye, w > 0.
   [[nodiscard]] bool in_front() const { return in_front_; }
@@ -72,23 +42,12 @@ class Triangle {
   // false where a vertex is not in front of the eye.
   [[nodiscard]] bool thinner_than(double width) const;
 
-  // The coverage of the sample at framebuffer position (x, y), culling and scissor left aside. Only the boundaries in
-  // `undecided` are asked.
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
-                                        uint8_t undecided = kEveryBoundary) const;
-
-  // What is cheap to tell of all samples in the block at once.
-  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const;
-
-  // True if the sample is inside with ties resolved by the top-left rule on the exact edges: exactly one of two
-  // triangles that share an edge owns a sample on it.
-  [[nodiscard]] bool owns(double x, double y) const;
-
-  // True if every vertex lies exactly on the grid of 2^-subpixel_bits pixels, and in front of the eye.
-  [[nodiscard]] bool on_grid(uint32_t subpixel_bits) const;
-
-  // The smallest rectangle (min x, min y, max x, max y; pixels) outside of which every sample is kMustNot.
-  [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const;
+                                        uint8_t undecided = kEveryBoundary) const override;
+  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
+  [[nodiscard]] bool owns(double x, double y) const override;
+  [[nodiscard]] bool on_grid(uint32_t subpixel_bits) const override;
+  [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;
 
   // Linear in the window, in double: sum l_i q_i for the given q. Not defined where orientation() is 0.
   [[nodiscard]] LinearForm interpolant(std::span<const double, 3> q) const;

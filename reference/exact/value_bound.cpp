@@ -6,6 +6,8 @@
 #include <glm/vec2.hpp>
 #include <limits>
 
+#include "reference/exact/rational_triangle.h"
+
 namespace fillrule::exact {
 namespace {
 
@@ -153,8 +155,8 @@ Expected TriangleValues::depth_for(float value, double x, double y) const {
 }
 
 TriangleValues::Component TriangleValues::component(Interpolation interpolation, const std::array<float, 3>& values,
-                                                    size_t provoking) const {
-  Component result{.interpolation = interpolation, .values = values, .provoking = values[provoking]};
+                                                    float provoking) const {
+  Component result{.interpolation = interpolation, .values = values, .provoking = provoking};
   if (interpolation == Interpolation::kFlat) return result;
   std::array<double, 3> weighted{};
   std::array<double, 3> q{};
@@ -255,6 +257,16 @@ double TriangleValues::varying_error(const Component& component, double x, doubl
   if (!(reciprocal > 2 * reciprocal_error)) return kUnbounded;
   const double largest = (std::abs(numerator.at(dx, dy)) + numerator_error) / (reciprocal - reciprocal_error);
   return ((numerator_error + largest * reciprocal_error) / reciprocal + 0x1p-52 * largest) * (1 + 0x1p-48);
+}
+
+double TriangleValues::exact_depth(double x, double y) const {
+  return clamp_depth(exact::exact_depth(*triangle_, x, y));
+}
+
+double TriangleValues::exact_varying(uint32_t component, double x, double y) const {
+  const Component& prepared = components_[component];
+  const bool smooth = prepared.interpolation == Interpolation::kSmooth;
+  return (smooth ? exact_smooth : exact_noperspective)(*triangle_, prepared.values, x, y);
 }
 
 void TriangleValues::depth_row(double x, double y, std::span<double> expected, std::span<double> least) const {

@@ -8,26 +8,12 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
+#include "reference/exact/piece_values.h"
 #include "reference/exact/triangle.h"
 
 namespace fillrule::exact {
-
-// Beyond the bound, but within this multiple of it, a value is imprecise; beyond, at fault.
-inline constexpr double kImpreciseFactor = 64;
-
-struct Expected {
-  double value = 0;
-  double tolerance = 0;  // infinity where the value is not judged
-};
-
-// What a tolerance is made of: interpolating between rounded vertices, and rounding on the way.
-struct Tolerance {
-  double snapping = 0;
-  double rounding = 0;
-  // Infinite where either is unknown.
-  [[nodiscard]] double total() const;
-};
 
 // A quantity that is linear in the window, its values at the vertices, and the condition of computing it from them.
 class WindowLinear {
@@ -61,16 +47,13 @@ class WindowLinear {
 };
 
 // The values of one triangle. Not for triangles without area, nor undefined ones.
-class TriangleValues {
+class TriangleValues final : public PieceValues {
  public:
   TriangleValues(const Triangle& triangle, const Latitude& latitude);
 
   // The depth in window space at the sample (x, y), clamped to [0, 1].
-  [[nodiscard]] Expected depth(double x, double y) const;
-
-  // What an implementation's `value` is judged by. The tolerance may be returned smaller than it is where `value` is
-  // within it anyway, which is cheaper to tell.
-  [[nodiscard]] Expected depth_for(float value, double x, double y) const;
+  [[nodiscard]] Expected depth(double x, double y) const override;
+  [[nodiscard]] Expected depth_for(float value, double x, double y) const override;
 
   // The vertices' values of one component of a varying, prepared.
   struct Component {
@@ -81,18 +64,33 @@ class TriangleValues {
     bool judged = true;      // false where a vertex's value is not finite, or a/w leaves float32
   };
   [[nodiscard]] Component component(Interpolation interpolation, const std::array<float, 3>& values,
-                                    size_t provoking) const;
+                                    float provoking) const;
 
   [[nodiscard]] Expected varying(const Component& component, double x, double y) const;
   [[nodiscard]] Expected varying_for(const Component& component, float value, double x, double y) const;
 
-  // What the tolerances of depth() and varying() are made of.
-  [[nodiscard]] Tolerance depth_tolerance(double x, double y) const;
+  [[nodiscard]] Tolerance depth_tolerance(double x, double y) const override;
   [[nodiscard]] Tolerance varying_tolerance(const Component& component, double x, double y) const;
 
-  // Certain bounds of how far the values that depth() and varying() give, doubles, are from the exact ones.
-  [[nodiscard]] double depth_error(double x, double y) const;
+  [[nodiscard]] double depth_error(double x, double y) const override;
   [[nodiscard]] double varying_error(const Component& component, double x, double y) const;
+  [[nodiscard]] double exact_depth(double x, double y) const override;
+
+  // The components that the vertices carry, in their order, for the functions below.
+  void add_component(const Component& component) { components_.push_back(component); }
+  [[nodiscard]] const Component& component(uint32_t number) const { return components_[number]; }
+  [[nodiscard]] float provoking(uint32_t component) const override { return components_[component].provoking; }
+  [[nodiscard]] bool judged(uint32_t component) const override { return components_[component].judged; }
+  [[nodiscard]] Expected varying_for(uint32_t component, float value, double x, double y) const override {
+    return varying_for(components_[component], value, x, y);
+  }
+  [[nodiscard]] Tolerance varying_tolerance(uint32_t component, double x, double y) const override {
+    return varying_tolerance(components_[component], x, y);
+  }
+  [[nodiscard]] double varying_error(uint32_t component, double x, double y) const override {
+    return varying_error(components_[component], x, y);
+  }
+  [[nodiscard]] double exact_varying(uint32_t component, double x, double y) const override;
 
   // The same for a row of samples at (x + i, y), i from 0: exact values, and for each a tolerance that is no more
   // than the one that varying() and depth() would give. Cheap, for the many values that are well within it.
@@ -125,6 +123,7 @@ class TriangleValues {
   WindowLinear depth_;
   WindowLinear reciprocal_w_;
   std::array<LinearForm, 3> barycentric_;  // of the window
+  std::vector<Component> components_;
 };
 
 }  // namespace fillrule::exact

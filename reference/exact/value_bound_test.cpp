@@ -46,7 +46,7 @@ TEST(TriangleValues, SmoothIsPerspectiveCorrectAndNoperspectiveIsNot) {
 
 TEST(TriangleValues, FlatIsTheProvokingVertexWithoutTolerance) {
   const TriangleValues values(slanted(), latitude_of(kViewport, 8));
-  const auto flat = values.component(Interpolation::kFlat, {5, 6, 7}, 1);
+  const auto flat = values.component(Interpolation::kFlat, {5, 6, 7}, 6);
   EXPECT_EQ(values.varying(flat, 20, 20).value, 6);
   EXPECT_EQ(values.varying(flat, 20, 20).tolerance, 0);
 }

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+
+#include "reference/vulkan/pipeline_key.h"
 
 namespace fillrule::vulkan {
 namespace {
@@ -21,13 +24,6 @@ Result<void> check_target(const DeviceInfo& device, const Target& target) {
     return failure(fmt::format("target.size: {} x {} pixels is beyond the {} pixels that {} can draw to",
                                target.width, target.height, device.max_target_size, device.driver),
                    "make the target smaller, or choose another reference");
-  }
-  if (target.samples != VK_SAMPLE_COUNT_1_BIT) {
-    return failure(fmt::format("target.samples: the Vulkan reference draws 1 sample per pixel, not {}",
-                               static_cast<uint32_t>(target.samples)));
-  }
-  if (target.depth_format != VK_FORMAT_D32_SFLOAT && target.depth_format != VK_FORMAT_UNDEFINED) {
-    return failure("target.depth_format: the Vulkan reference draws with D32_SFLOAT or without depth");
   }
   if (!is_between(target.clear_depth, 0.0F, 1.0F)) {
     return failure(fmt::format("target.clear_depth: {} is outside [0, 1]", target.clear_depth));
@@ -67,22 +63,91 @@ Result<void> check_scissor(const VkRect2D& scissor) {
   return {};
 }
 
+// The values of something that each vertex has so many of.
+Result<void> check_count(std::string_view what, size_t values, size_t vertices, uint32_t each) {
+  if (values == vertices * each) return {};
+  return failure(fmt::format("vertices: {} {} for {} vertices of {} each", values, what, vertices, each));
+}
+
 Result<void> check_vertices(const Draw& draw, uint32_t components) {
-  if (draw.topology != VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST && draw.topology != VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP &&
-      draw.topology != VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN) {
-    return failure("topology: the Vulkan reference draws triangle lists, strips and fans");
+  if (draw.topology > VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN) {
+    return failure("topology: the Vulkan reference draws points, lines and triangles");
   }
-  if (draw.varyings.size() != draw.positions.size() * components) {
-    return failure(fmt::format("vertices: {} varying components for {} vertices of {} each", draw.varyings.size(),
-                               draw.positions.size(), components));
+  const size_t vertices = draw.positions.size();
+  Result<void> checked = check_count("varying components", draw.varyings.size(), vertices, components);
+  if (checked && !draw.point_sizes.empty()) {
+    checked = check_count("point sizes", draw.point_sizes.size(), vertices, 1);
+  }
+  if (checked) {
+    checked = check_count("clip distances", draw.clip_distances.size(), vertices, draw.clip_distance_count);
+  }
+  if (checked) {
+    checked = check_count("cull distances", draw.cull_distances.size(), vertices, draw.cull_distance_count);
+  }
+  if (checked && draw.clip_distance_count + draw.cull_distance_count > kMaxClipAndCullDistances) {
+    return failure(fmt::format("clip_distances: {} and {} cull distances are together more than {}",
+                               draw.clip_distance_count, draw.cull_distance_count, kMaxClipAndCullDistances));
+  }
+  return checked;
+}
+
+Result<void> check_indices(const Draw& draw) {
+  if (draw.primitive_restart &&
+      (draw.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST || draw.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST ||
+       draw.topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST)) {
+    return failure("primitive_restart: Vulkan restarts strips and fans, not lists");
   }
   if (!draw.indices) return {};
-  const auto beyond =
-      std::ranges::find_if(*draw.indices, [&](uint32_t index) { return index >= draw.positions.size(); });
-  if (beyond != draw.indices->end()) {
-    return failure(fmt::format("indices: {} is beyond the last of {} vertices", *beyond, draw.positions.size()));
+  const uint32_t largest = restart_index(draw.index_type);
+  for (const uint32_t index : *draw.indices) {
+    if (draw.primitive_restart && index == largest) continue;
+    if (index > largest) {
+      return failure(fmt::format("indices: {} is beyond the {} of their type", index, largest));
+    }
+    const int64_t vertex = int64_t{index} + draw.vertex_offset;
+    if (vertex < 0 || vertex >= static_cast<int64_t>(draw.positions.size())) {
+      return failure(fmt::format("indices: {} is beyond the last of {} vertices", vertex, draw.positions.size()));
+    }
   }
   return {};
+}
+
+// Sizes off a device's steps are rounded as it likes.
+Result<void> check_size(const DeviceInfo& device, std::string_view key, float size, const SizeRange& range) {
+  if (size == 1) return {};
+  if (!is_between(size, range.min, range.max)) {
+    return failure(
+        fmt::format("{}: {} is beyond the {} to {} of {}", key, size, range.min, range.max, device.driver));
+  }
+  const double steps = range.step == 0 ? 0 : (double{size} - double{range.min}) / double{range.step};
+  if (steps != std::floor(steps)) {
+    return failure(fmt::format("{}: {} is not in {}'s steps of {}", key, size, device.driver, range.step));
+  }
+  return {};
+}
+
+Result<void> check_sizes(const DeviceInfo& device, const Case& drawn, const Draw& draw) {
+  const PipelineKey key = pipeline_key(drawn, draw, {});
+  if (key.draws_lines()) {
+    if (auto checked = check_size(device, "line_width", draw.state.line_width, device.line_widths); !checked) {
+      return checked;
+    }
+    if (draw.state.line_mode == VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT && key.sample_shading) {
+      return failure("line_mode: Vulkan has no Bresenham lines with interpolation at samples");
+    }
+  }
+  if (!key.draws_points()) return {};
+  for (const float size : draw.point_sizes) {
+    if (auto checked = check_size(device, "point_sizes", size, device.point_sizes); !checked) return checked;
+  }
+  return {};
+}
+
+Result<void> check_depth(const RasterState& state) {
+  if (!state.depth_bounds) return {};
+  const auto [min, max] = *state.depth_bounds;
+  if (is_between(min, 0.0F, 1.0F) && is_between(max, 0.0F, 1.0F)) return {};
+  return failure(fmt::format("depth_bounds: {} to {} is not within [0, 1]", min, max));
 }
 
 }  // namespace
@@ -94,11 +159,14 @@ Result<void> check_case(const DeviceInfo& device, const Case& drawn) {
   if (drawn.varyings.size() > kMaxVaryings) {
     return failure(fmt::format("varyings: {} are more than {}", drawn.varyings.size(), kMaxVaryings));
   }
-  const uint32_t components = component_count(drawn.varyings);
+  const uint32_t components = vertex_component_count(drawn.varyings);
   for (const Draw& draw : drawn.draws) {
     if (auto checked = check_viewport(device, draw.state.viewport); !checked) return checked;
     if (auto checked = check_scissor(draw.state.scissor); !checked) return checked;
+    if (auto checked = check_depth(draw.state); !checked) return checked;
     if (auto checked = check_vertices(draw, components); !checked) return checked;
+    if (auto checked = check_indices(draw); !checked) return checked;
+    if (auto checked = check_sizes(device, drawn, draw); !checked) return checked;
   }
   return {};
 }

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <optional>
-#include <string_view>
+
+#include "reference/vulkan/features.h"
+#include "reference/vulkan/packing.h"
 
 namespace fillrule::vulkan {
 namespace {
@@ -14,31 +16,24 @@ std::optional<uint32_t> graphics_queue_family(VkPhysicalDevice device) {
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, nullptr);
   std::vector<VkQueueFamilyProperties> families(count);
   vkGetPhysicalDeviceQueueFamilyProperties(device, &count, families.data());
+  // Every device with graphics has a family of both.
+  const VkQueueFlags needed = VK_QUEUE_GRAPHICS_BIT | VK_QUEUE_COMPUTE_BIT;
   for (uint32_t i = 0; i < count; ++i) {
-    if ((families[i].queueFlags & VK_QUEUE_GRAPHICS_BIT) != 0) return i;
+    if ((families[i].queueFlags & needed) == needed) return i;
   }
   return std::nullopt;
-}
-
-bool has_extension(VkPhysicalDevice device, std::string_view name) {
-  uint32_t count = 0;
-  vkEnumerateDeviceExtensionProperties(device, nullptr, &count, nullptr);
-  std::vector<VkExtensionProperties> extensions(count);
-  vkEnumerateDeviceExtensionProperties(device, nullptr, &count, extensions.data());
-  extensions.resize(count);
-  return std::ranges::any_of(extensions, [&](const VkExtensionProperties& e) { return e.extensionName == name; });
 }
 
 // What the device lacks of that which every case needs; empty if nothing.
 std::string missing_ability(const PhysicalDevice& physical) {
   if (physical.info.api_version < VK_API_VERSION_1_3) return "Vulkan 1.3";
-  VkPhysicalDeviceVulkan13Features features13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES};
-  VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2, .pNext = &features13};
-  vkGetPhysicalDeviceFeatures2(physical.handle, &features);
-  if (features13.dynamicRendering == VK_FALSE) return "the feature dynamicRendering";
-  if (features13.synchronization2 == VK_FALSE) return "the feature synchronization2";
-  if (features.features.independentBlend == VK_FALSE) return "the feature independentBlend";
-  if (features.features.fullDrawIndexUint32 == VK_FALSE) return "the feature fullDrawIndexUint32";
+  const DeviceFeatures features(physical.handle);
+  if (features.vulkan13().dynamicRendering == VK_FALSE) return "the feature dynamicRendering";
+  if (features.vulkan13().synchronization2 == VK_FALSE) return "the feature synchronization2";
+  // SPIR-V 1.6 gives the size of a workgroup in a way that wants it.
+  if (features.vulkan13().maintenance4 == VK_FALSE) return "the feature maintenance4";
+  if (features.core().independentBlend == VK_FALSE) return "the feature independentBlend";
+  if (features.core().fullDrawIndexUint32 == VK_FALSE) return "the feature fullDrawIndexUint32";
   VkFormatProperties format;
   vkGetPhysicalDeviceFormatProperties(physical.handle, kHitsFormat, &format);
   if ((format.optimalTilingFeatures & VK_FORMAT_FEATURE_COLOR_ATTACHMENT_BLEND_BIT) == 0) {
@@ -68,22 +63,15 @@ Result<Device> Device::create(const PhysicalDevice& physical) {
                                            .queueFamilyIndex = *family,
                                            .queueCount = 1,
                                            .pQueuePriorities = &priority};
-  const VkPhysicalDeviceFeatures features{
-      .fullDrawIndexUint32 = VK_TRUE,
-      .independentBlend = VK_TRUE,
-      .geometryShader = physical.info.has_primitive_id ? VK_TRUE : VK_FALSE,
-  };
-  VkPhysicalDeviceVulkan13Features features13{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_VULKAN_1_3_FEATURES,
-                                              .synchronization2 = VK_TRUE,
-                                              .dynamicRendering = VK_TRUE};
-  const char* const budget = VK_EXT_MEMORY_BUDGET_EXTENSION_NAME;
+  const DeviceFeatures features(physical.handle);
+  std::vector<const char*> extensions = features.extensions();
+  if (device.has_memory_budget_) extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   const VkDeviceCreateInfo device_info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,
-                                       .pNext = &features13,
+                                       .pNext = &features.chain(),
                                        .queueCreateInfoCount = 1,
                                        .pQueueCreateInfos = &queue_info,
-                                       .enabledExtensionCount = device.has_memory_budget_ ? 1U : 0U,
-                                       .ppEnabledExtensionNames = &budget,
-                                       .pEnabledFeatures = &features};
+                                       .enabledExtensionCount = static_cast<uint32_t>(extensions.size()),
+                                       .ppEnabledExtensionNames = extensions.data()};
   VkDevice handle = VK_NULL_HANDLE;
   if (const VkResult result = vkCreateDevice(physical.handle, &device_info, nullptr, &handle); result != VK_SUCCESS) {
     return failed_call("vkCreateDevice", result);
@@ -103,7 +91,11 @@ void Device::read_limits() {
   vkGetPhysicalDeviceProperties2(physical_, &properties);
   vkGetPhysicalDeviceMemoryProperties(physical_, &memory_);
   const VkPhysicalDeviceLimits& limits = properties.properties.limits;
-  slots_per_pass_ = std::min(limits.maxColorAttachments, limits.maxFragmentOutputAttachments) - kFirstSlotAttachment;
+  // Beside slots there are hits and owner at one end; position, point size and distances at the other.
+  slots_per_pass_ = std::min({limits.maxColorAttachments - kFirstSlotAttachment,
+                              limits.maxFragmentOutputAttachments - kFirstSlotAttachment,
+                              limits.maxVertexInputAttributes - kVertexInputsBesideSlots});
+  max_storage_buffer_bytes_ = limits.maxStorageBufferRange;
   max_buffer_bytes_ = maintenance4.maxBufferSize;
   max_allocation_bytes_ = maintenance3.maxMemoryAllocationSize;
 }

@@ -17,6 +17,8 @@ inline constexpr VkFormat kOwnerFormat = VK_FORMAT_R32_UINT;
 inline constexpr VkFormat kSlotFormat = VK_FORMAT_R32G32B32A32_SFLOAT;
 // Colour attachments before the slots: hits and owner.
 inline constexpr uint32_t kFirstSlotAttachment = 2;
+// Vertex inputs beside the slots: position, point size, distances.
+inline constexpr uint32_t kVertexInputsBesideSlots = 2 + kMaxClipAndCullDistances;
 
 class Device {
  public:
@@ -31,6 +33,7 @@ class Device {
   // How many vec4 slots one pass can write.
   [[nodiscard]] uint32_t slots_per_pass() const { return slots_per_pass_; }
   [[nodiscard]] uint64_t max_buffer_bytes() const { return max_buffer_bytes_; }
+  [[nodiscard]] uint64_t max_storage_buffer_bytes() const { return max_storage_buffer_bytes_; }
   [[nodiscard]] uint64_t max_allocation_bytes() const { return max_allocation_bytes_; }
   // The memory that can still be allocated, as far as the device tells.
   [[nodiscard]] uint64_t available_bytes() const;
@@ -50,6 +53,7 @@ class Device {
   uint32_t queue_family_ = 0;
   uint32_t slots_per_pass_ = 0;
   uint64_t max_buffer_bytes_ = 0;
+  uint64_t max_storage_buffer_bytes_ = 0;  // that one descriptor takes
   uint64_t max_allocation_bytes_ = 0;
   bool has_memory_budget_ = false;
   VkPhysicalDeviceMemoryProperties memory_{};

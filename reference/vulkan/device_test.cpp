@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <optional>
 
 #include "reference/vulkan/submission.h"
@@ -13,8 +15,11 @@ namespace fillrule::vulkan {
 namespace {
 
 using testing::AllOf;
+using testing::Each;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
 
 // An environment variable set for the time of a test.
 class ScopedVariable {
@@ -56,6 +61,24 @@ TEST(Devices, ListsLavapipeWithItsLimits) {
 TEST(Devices, KeepsMesaFromWritingACache) {
   ASSERT_TRUE(list_devices());
   EXPECT_STREQ(std::getenv("MESA_SHADER_CACHE_DISABLE"), "true");
+}
+
+// The names of this process's threads; Linux alone tells them.
+std::vector<std::string> thread_names() {
+  std::vector<std::string> names;
+  for (const auto& task : std::filesystem::directory_iterator("/proc/self/task")) {
+    std::string name;
+    std::getline(std::ifstream(task.path() / "comm"), name);
+    names.push_back(name);
+  }
+  return names;
+}
+
+TEST(Devices, LavapipeHasNoRasterizerThreads) {
+  Case drawn = empty_case(64);
+  drawn.draws = {draw_of(drawn, {at(64, 0, 0), at(64, 64, 0), at(64, 0, 64)})};
+  draw_one(drawn);
+  EXPECT_THAT(thread_names(), Each(Not(StartsWith("llvmpipe")))) << "they damage the heap";
 }
 
 TEST(Devices, ListsNothingWithoutADriver) {

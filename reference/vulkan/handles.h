@@ -66,12 +66,15 @@ using InstanceHandle = RootHandle<VkInstance, vkDestroyInstance>;
 using LogicalDevice = RootHandle<VkDevice, vkDestroyDevice>;
 using Buffer = DeviceHandle<VkBuffer, vkDestroyBuffer>;
 using CommandPool = DeviceHandle<VkCommandPool, vkDestroyCommandPool>;
+using DescriptorPool = DeviceHandle<VkDescriptorPool, vkDestroyDescriptorPool>;
+using DescriptorSetLayout = DeviceHandle<VkDescriptorSetLayout, vkDestroyDescriptorSetLayout>;
 using Fence = DeviceHandle<VkFence, vkDestroyFence>;
 using Image = DeviceHandle<VkImage, vkDestroyImage>;
 using ImageView = DeviceHandle<VkImageView, vkDestroyImageView>;
 using Memory = DeviceHandle<VkDeviceMemory, vkFreeMemory>;
 using Pipeline = DeviceHandle<VkPipeline, vkDestroyPipeline>;
 using PipelineLayout = DeviceHandle<VkPipelineLayout, vkDestroyPipelineLayout>;
+using Sampler = DeviceHandle<VkSampler, vkDestroySampler>;
 using ShaderModule = DeviceHandle<VkShaderModule, vkDestroyShaderModule>;
 
 }  // namespace fillrule::vulkan

@@ -29,15 +29,7 @@ void main() {
 Result<ShaderModule> compile(const Device& device, VkShaderStageFlagBits stage, const char* glsl) {
   const std::string defines =
       fmt::format("#define FRONT {}.0\n#define BACK {}.0\n", uint32_t{kFrontHit}, uint32_t{kHit});
-  const auto spirv = compile_glsl(stage, glsl, defines);
-  if (!spirv) return tl::unexpected(spirv.error());
-  const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
-                                      .codeSize = spirv->size() * sizeof(uint32_t),
-                                      .pCode = spirv->data()};
-  VkShaderModule module = VK_NULL_HANDLE;
-  const VkResult result = vkCreateShaderModule(device.get(), &info, nullptr, &module);
-  if (result != VK_SUCCESS) return failed_call("vkCreateShaderModule", result);
-  return ShaderModule(device.get(), module);
+  return create_shader(device.get(), stage, glsl, defines);
 }
 
 Result<Pipeline> create_pipeline(VkDevice device, VkPipelineLayout layout, uint32_t target_size,

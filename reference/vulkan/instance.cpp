@@ -8,6 +8,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "reference/vulkan/features.h"
+
 namespace fillrule::vulkan {
 namespace {
 
@@ -45,6 +47,10 @@ std::string driver_name(VkDriverId id) {
 void prepare_environment(std::span<const std::string> driver_files) {
   // Mesa would write a shader cache into the home folder.
   setenv("MESA_SHADER_CACHE_DISABLE", "true", 0);
+  // Lavapipe (Mesa 22.3) damages the heap with rasterizer threads: a fence counts as signalled, and may be freed, as
+  // soon as the last of them has counted itself, which then still writes to the fence's condition and mutex. With
+  // none, the thread that submits rasterizes; for targets of our sizes that takes no longer.
+  setenv("LP_NUM_THREADS", "0", 0);
 
   const char* const before = std::getenv("VK_ADD_DRIVER_FILES");
   std::string files = before == nullptr ? "" : before;
@@ -93,6 +99,9 @@ DeviceInfo describe(VkPhysicalDevice device) {
   VkPhysicalDeviceFeatures features;
   vkGetPhysicalDeviceFeatures(device, &features);
 
+  FeatureSet for_cases;
+  if (properties.apiVersion >= VK_API_VERSION_1_3) for_cases = DeviceFeatures(device).for_cases();
+
   const VkPhysicalDeviceLimits& limits = properties.limits;
   const uint32_t max_target_size =
       std::min({limits.maxImageDimension2D, limits.maxFramebufferWidth, limits.maxFramebufferHeight});
@@ -105,6 +114,13 @@ DeviceInfo describe(VkPhysicalDevice device) {
           .max_target_size = max_target_size,
           .max_viewport_size = {limits.maxViewportDimensions[0], limits.maxViewportDimensions[1]},
           .viewport_bounds = {limits.viewportBoundsRange[0], limits.viewportBoundsRange[1]},
+          .line_widths = {.min = limits.lineWidthRange[0],
+                          .max = limits.lineWidthRange[1],
+                          .step = limits.lineWidthGranularity},
+          .point_sizes = {.min = limits.pointSizeRange[0],
+                          .max = limits.pointSizeRange[1],
+                          .step = limits.pointSizeGranularity},
+          .features = for_cases,
           .has_primitive_id = features.geometryShader == VK_TRUE};
 }
 

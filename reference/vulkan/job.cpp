@@ -1,27 +1,37 @@
 #include "reference/vulkan/job.h"
 
+#include "reference/vulkan/elements.h"
+
 namespace fillrule::vulkan {
 namespace {
 
-// Vertex and index data, and image data in buffers, begin at multiples of a vec4.
-constexpr uint64_t kAlignment = kVec4Bytes;
-
-uint64_t aligned(uint64_t bytes) {
-  return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+uint32_t bytes_of(VkIndexType type) {
+  switch (type) {
+    case VK_INDEX_TYPE_UINT8_EXT:
+      return 1;
+    case VK_INDEX_TYPE_UINT16:
+      return 2;
+    default:
+      return 4;
+  }
 }
 
-bool is_indexed(const Draw& draw, bool expand_indices) {
-  return draw.indices && !expand_indices;
-}
-
-uint64_t uploaded_vertices(const Draw& draw, bool expand_indices) {
-  return is_indexed(draw, expand_indices) ? draw.positions.size() : element_count(draw);
-}
-
-uint64_t upload_bytes(const Draw& draw, uint32_t slots, bool expand_indices) {
+uint64_t upload_bytes(const Draw& draw, uint32_t slots, bool use_primitive_id) {
   if (primitive_count(draw) == 0) return 0;
-  const uint64_t vertices = uploaded_vertices(draw, expand_indices) * kVec4Bytes * (1 + slots);
-  return vertices + (is_indexed(draw, expand_indices) ? aligned(draw.indices->size() * sizeof(uint32_t)) : 0);
+  const bool indexed = draw.indices && use_primitive_id;
+  const uint64_t vertex_bytes =
+      uint64_t{kVec4Bytes} * (1 + slots) + sizeof(float) * extra_count(pipeline_key({}, draw, {}));
+  const uint64_t index_bytes = indexed ? draw.indices->size() * bytes_of(draw.index_type) : 0;
+  return aligned(max_vertices(draw, use_primitive_id) * vertex_bytes, kUploadAlignment) +
+         aligned(index_bytes, kUploadAlignment);
+}
+
+// In the readback buffer. Multisampled attachments get there through a shader, as 32-bit words.
+uint64_t bytes_per_sample(const TargetKey& target, uint32_t attachment) {
+  if (attachment < kFirstSlotAttachment) return sizeof(float);
+  if (attachment < kFirstSlotAttachment + target.slots) return kVec4Bytes;
+  const bool is_d16 = target.depth_format == VK_FORMAT_D16_UNORM && target.samples == VK_SAMPLE_COUNT_1_BIT;
+  return is_d16 ? sizeof(uint16_t) : sizeof(float);
 }
 
 }  // namespace
@@ -35,20 +45,17 @@ TargetKey target_key(const Case& drawn, const SlotRange& slots) {
 }
 
 uint64_t attachment_offset(const TargetKey& target, uint32_t index) {
-  const uint64_t pixels = uint64_t{target.width} * target.height;
+  const uint64_t samples = uint64_t{target.width} * target.height * target.samples;
   uint64_t offset = 0;
-  for (uint32_t i = 0; i < index; ++i) {
-    const bool is_slot = i >= kFirstSlotAttachment && i < kFirstSlotAttachment + target.slots;
-    offset += aligned(pixels * (is_slot ? kVec4Bytes : sizeof(float)));
-  }
+  for (uint32_t i = 0; i < index; ++i) offset += aligned(samples * bytes_per_sample(target, i), kReadbackAlignment);
   return offset;
 }
 
-CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool expand_indices) {
+CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id) {
   CaseNeeds needs{.packing = pack(drawn.varyings)};
   needs.passes = split_into_passes(needs.packing.counts, slots_per_pass);
   for (const Draw& draw : drawn.draws) {
-    needs.upload_bytes += upload_bytes(draw, needs.packing.counts.total(), expand_indices);
+    needs.upload_bytes += upload_bytes(draw, needs.packing.counts.interpolated(), use_primitive_id);
   }
   needs.device_bytes = needs.upload_bytes;
   for (const SlotRange& pass : needs.passes) {

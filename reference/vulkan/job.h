@@ -9,21 +9,26 @@
 
 #include "cases/model/case.h"
 #include "cases/model/planes.h"
+#include "reference/vulkan/graphics_pipeline.h"
 #include "reference/vulkan/packing.h"
 #include "reference/vulkan/pipeline.h"
 #include "reference/vulkan/targets.h"
 
 namespace fillrule::vulkan {
 
-// A draw in the upload buffer; offsets in bytes.
+// A draw in the upload buffer, or a run of one between restarts; offsets in bytes.
 struct UploadedDraw {
-  const RasterState* state = nullptr;
-  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+  const Draw* draw = nullptr;
+  uint32_t index = 0;  // of the draw in its case
   uint64_t positions_offset = 0;
   uint64_t slots_offset = 0;
+  uint64_t extras_offset = 0;
   uint64_t indices_offset = 0;
-  uint32_t elements = 0;  // vertices, or indices where indexed
+  VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   bool indexed = false;
+  ElementRun run;  // of the vertices, or of the indices
+  bool draws_lines = false;
+  uint32_t extras = 0;  // floats of a vertex beside position and slots
   Numbering numbering;
 };
 
@@ -31,8 +36,8 @@ struct UploadedDraw {
 struct Pass {
   SlotRange slots;
   TargetSet target;
-  VkPipeline pipeline = VK_NULL_HANDLE;
-  uint64_t readback_offset = 0;  // bytes
+  std::vector<VkPipeline> pipelines;  // one for each draw of the case
+  uint64_t readback_offset = 0;       // bytes
 };
 
 // What a case needs, before anything is allocated.
@@ -53,12 +58,19 @@ struct CaseJob {
   std::vector<Pass> passes;
 };
 
-// `expand_indices`: indexed draws are uploaded vertex by vertex in the order of their indices.
-CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool expand_indices);
+// Vertex and index data begin at multiples of a vec4. What is read back begins at multiples of the largest alignment
+// that Vulkan lets a device ask of storage buffers.
+inline constexpr uint64_t kUploadAlignment = kVec4Bytes;
+inline constexpr uint64_t kReadbackAlignment = 256;
+constexpr uint64_t aligned(uint64_t bytes, uint64_t alignment) {
+  return (bytes + alignment - 1) / alignment * alignment;
+}
+
+CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id);
 TargetKey target_key(const Case& drawn, const SlotRange& slots);
 
 // Writes the vertices and indices of the job's draws; those without a complete primitive are left out.
-std::vector<UploadedDraw> upload(const CaseJob& job, bool expand_indices, std::span<std::byte> buffer);
+std::vector<UploadedDraw> upload(const CaseJob& job, bool use_primitive_id, std::span<std::byte> buffer);
 
 // Where attachment `index` of `target` begins in the pass's part of the readback buffer, in bytes; for the index
 // behind the last one, the size of that part.

@@ -1,19 +1,24 @@
 #include "reference/vulkan/packing.h"
 
 #include <algorithm>
-#include <array>
 
 namespace fillrule::vulkan {
 namespace {
 
-constexpr std::array kSlotOrder = {Interpolation::kSmooth, Interpolation::kNoperspective, Interpolation::kFlat};
+size_t kind_of(const Varying& varying) {
+  if (varying.source == VaryingSource::kFragCoord) return static_cast<size_t>(SlotKind::kFragCoord);
+  if (varying.source == VaryingSource::kPointCoord) return static_cast<size_t>(SlotKind::kPointCoord);
+  if (varying.interpolation == Interpolation::kFlat) return static_cast<size_t>(SlotKind::kFlat);
+  const SlotKind at_centers = varying.interpolation == Interpolation::kSmooth ? SlotKind::kSmooth  //
+                                                                              : SlotKind::kNoperspective;
+  return static_cast<size_t>(at_centers) + static_cast<size_t>(varying.sampling);
+}
 
-uint32_t slots_of(const std::vector<Varying>& varyings, Interpolation interpolation) {
-  uint32_t components = 0;
-  for (const Varying& varying : varyings) {
-    if (varying.interpolation == interpolation) components += varying.components;
-  }
-  return (components + kSlotComponents - 1) / kSlotComponents;
+SlotCounts count_slots(const std::vector<Varying>& varyings) {
+  SlotCounts counts;
+  for (const Varying& varying : varyings) counts.of[kind_of(varying)] += varying.components;
+  for (uint32_t& count : counts.of) count = (count + kSlotComponents - 1) / kSlotComponents;
+  return counts;
 }
 
 // How much of [first, first + count) lies in [begin, end).
@@ -26,32 +31,32 @@ uint32_t overlap(uint32_t first, uint32_t count, uint32_t begin, uint32_t end) {
 }  // namespace
 
 Packing pack(const std::vector<Varying>& varyings) {
-  Packing packing{.counts = {.smooth = slots_of(varyings, Interpolation::kSmooth),
-                             .noperspective = slots_of(varyings, Interpolation::kNoperspective),
-                             .flat = slots_of(varyings, Interpolation::kFlat)}};
-  std::array<uint32_t, kSlotOrder.size()> next{};  // counted in components
-  next[1] = packing.counts.smooth * kSlotComponents;
-  next[2] = next[1] + packing.counts.noperspective * kSlotComponents;
+  Packing packing{.counts = count_slots(varyings)};
+  std::array<uint32_t, kSlotKindCount> next{};  // counted in components
+  std::exclusive_scan(packing.counts.of.begin(), packing.counts.of.end(), next.begin(), 0U);
+  for (uint32_t& component : next) component *= kSlotComponents;
   for (const Varying& varying : varyings) {
-    uint32_t& component =
-        next[static_cast<size_t>(std::ranges::find(kSlotOrder, varying.interpolation) - kSlotOrder.begin())];
+    uint32_t& component = next[kind_of(varying)];
     for (uint32_t i = 0; i < varying.components; ++i, ++component) {
-      packing.components.push_back({.slot = component / kSlotComponents, .lane = component % kSlotComponents});
+      const ComponentPlace place{.slot = component / kSlotComponents, .lane = component % kSlotComponents};
+      packing.components.push_back(place);
+      if (varying.source == VaryingSource::kVertices) packing.vertex_components.push_back(place);
     }
   }
   return packing;
 }
 
 std::vector<SlotRange> split_into_passes(const SlotCounts& counts, uint32_t slots_per_pass) {
-  const uint32_t flat_begin = counts.smooth + counts.noperspective;
   std::vector<SlotRange> passes;
   uint32_t first = 0;
   do {
     const uint32_t count = std::min(slots_per_pass, counts.total() - first);
-    passes.push_back({.first = first,
-                      .counts = {.smooth = overlap(first, count, 0, counts.smooth),
-                                 .noperspective = overlap(first, count, counts.smooth, flat_begin),
-                                 .flat = overlap(first, count, flat_begin, counts.total())}});
+    passes.push_back({.first = first});
+    uint32_t begin = 0;  // of the kind's slots
+    for (size_t kind = 0; kind < kSlotKindCount; ++kind) {
+      passes.back().counts.of[kind] = overlap(first, count, begin, begin + counts.of[kind]);
+      begin += counts.of[kind];
+    }
     first += count;
   } while (first < counts.total());
   return passes;

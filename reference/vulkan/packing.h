@@ -1,8 +1,11 @@
-// How a case's varyings travel: their components packed into vec4 slots by interpolation, so that a pipeline depends
-// on three small counts instead of the case's declarations.
+// How a case's varyings travel: their components packed into vec4 slots by kind, so that a pipeline depends on a few
+// small counts instead of the case's declarations.
 #pragma once
 
+#include <array>
+#include <compare>
 #include <cstdint>
+#include <numeric>
 #include <vector>
 
 #include "cases/model/case.h"
@@ -11,13 +14,28 @@ namespace fillrule::vulkan {
 
 inline constexpr uint32_t kSlotComponents = 4;
 
-// How many slots of each interpolation. Smooth slots come first, flat ones last.
-struct SlotCounts {
-  uint32_t smooth = 0;
-  uint32_t noperspective = 0;
-  uint32_t flat = 0;
+// What fills a slot: interpolated values of the vertices, or a built-in of the fragment stage.
+enum class SlotKind : uint8_t {
+  kSmooth,
+  kSmoothCentroid,
+  kSmoothSample,
+  kNoperspective,
+  kNoperspectiveCentroid,
+  kNoperspectiveSample,
+  kFlat,
+  kFragCoord,
+  kPointCoord,
+};
+inline constexpr size_t kSlotKindCount = 9;
+// The kinds before this one have values in the vertices.
+inline constexpr auto kFirstBuiltIn = static_cast<size_t>(SlotKind::kFragCoord);
 
-  [[nodiscard]] uint32_t total() const { return smooth + noperspective + flat; }
+// How many slots of each kind. They lie in the order of the enumeration, so that a vertex needs the first ones alone.
+struct SlotCounts {
+  std::array<uint32_t, kSlotKindCount> of{};
+
+  [[nodiscard]] uint32_t total() const { return std::accumulate(of.begin(), of.end(), 0U); }
+  [[nodiscard]] uint32_t interpolated() const { return std::accumulate(of.begin(), of.begin() + kFirstBuiltIn, 0U); }
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm at the comparison with zero
   auto operator<=>(const SlotCounts&) const = default;
 };
@@ -37,10 +55,11 @@ struct ComponentPlace {
 
 struct Packing {
   SlotCounts counts;
-  std::vector<ComponentPlace> components;  // in the order of Draw::varyings
+  std::vector<ComponentPlace> components;         // in the order of Planes::varyings
+  std::vector<ComponentPlace> vertex_components;  // in the order of Draw::varyings: those without built-ins
 };
 
-// Components of equal interpolation follow each other without gaps, in the order of declaration.
+// Components of equal kind follow each other without gaps, in the order of declaration.
 Packing pack(const std::vector<Varying>& varyings);
 
 // The passes that a case of `counts` needs, at most `slots_per_pass` slots each; one pass where there are no slots.

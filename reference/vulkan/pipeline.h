@@ -1,26 +1,13 @@
-// Graphics pipelines, made on first need and kept. All that can be dynamic is, since a pipeline costs a CPU driver
-// tens of milliseconds and a case with a kept pipeline a fraction of one. Vulkan specification, "Graphics Pipelines",
-// "Dynamic State".
+// Graphics pipelines with the program's stages, made on first need and kept.
 #pragma once
 
 #include <cstdint>
 #include <map>
 
 #include "reference/vulkan/device.h"
-#include "reference/vulkan/packing.h"
+#include "reference/vulkan/pipeline_key.h"
 
 namespace fillrule::vulkan {
-
-// What a pipeline is bound to; every other state is set for each draw.
-struct PipelineKey {
-  SlotCounts slots;  // of the pass
-  // Any topology of the class that is drawn: triangle list stands for strip and fan too.
-  VkPrimitiveTopology topology_class = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
-  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm at the comparison with zero
-  auto operator<=>(const PipelineKey&) const = default;
-};
 
 // The push constants: how the number of a primitive is found.
 struct Numbering {
@@ -30,11 +17,6 @@ struct Numbering {
   uint32_t vertices_per_primitive = 1;
   uint32_t first_provoking_vertex = 0;
 };
-
-// Vertex buffer bindings: positions, and the slots, whose stride is dynamic.
-inline constexpr uint32_t kPositionBinding = 0;
-inline constexpr uint32_t kSlotBinding = 1;
-inline constexpr uint32_t kVec4Bytes = 16;
 
 class PipelineCache {
  public:
@@ -47,7 +29,7 @@ class PipelineCache {
 
  private:
   PipelineCache() = default;
-  [[nodiscard]] Result<ShaderModule> compile(VkShaderStageFlagBits stage, const SlotCounts& slots) const;
+  [[nodiscard]] Result<ShaderModule> compile(VkShaderStageFlagBits stage, const PipelineKey& key) const;
 
   const Device* device_ = nullptr;
   Program program_;

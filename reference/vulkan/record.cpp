@@ -53,33 +53,37 @@ void record_begin_barrier(VkCommandBuffer commands, std::span<const CaseJob> job
   record_image_barriers(commands, barriers);
 }
 
-// Hazard: the copies read after the passes' stores have written.
-void record_copy_barrier(VkCommandBuffer commands, std::span<const CaseJob> jobs) {
+// Hazard: the copies, and the shader that reads samples, read after the passes' stores have written.
+void record_read_barrier(VkCommandBuffer commands, std::span<const CaseJob> jobs) {
   std::vector<VkImageMemoryBarrier2> barriers;
-  for_each_attachment(jobs, [&](const Attachment& attachment, VkImageAspectFlags aspect, const Pass&, uint32_t) {
+  for_each_attachment(jobs, [&](const Attachment& attachment, VkImageAspectFlags aspect, const Pass& pass, uint32_t) {
     const bool is_depth = aspect == VK_IMAGE_ASPECT_DEPTH_BIT;
-    barriers.push_back({.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
-                        .srcStageMask = is_depth ? VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT
-                                                 : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
-                        .srcAccessMask = is_depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT
-                                                  : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
-                        .dstStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-                        .dstAccessMask = VK_ACCESS_2_TRANSFER_READ_BIT,
-                        .oldLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL,
-                        .newLayout = VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
-                        .image = attachment.image.get(),
-                        .subresourceRange = whole_image(aspect)});
+    const bool by_shader = pass.target.is_multisampled();
+    barriers.push_back(
+        {.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER_2,
+         .srcStageMask =
+             is_depth ? VK_PIPELINE_STAGE_2_LATE_FRAGMENT_TESTS_BIT : VK_PIPELINE_STAGE_2_COLOR_ATTACHMENT_OUTPUT_BIT,
+         .srcAccessMask =
+             is_depth ? VK_ACCESS_2_DEPTH_STENCIL_ATTACHMENT_WRITE_BIT : VK_ACCESS_2_COLOR_ATTACHMENT_WRITE_BIT,
+         .dstStageMask = by_shader ? VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT : VK_PIPELINE_STAGE_2_COPY_BIT,
+         .dstAccessMask = by_shader ? VK_ACCESS_2_SHADER_SAMPLED_READ_BIT : VK_ACCESS_2_TRANSFER_READ_BIT,
+         .oldLayout = VK_IMAGE_LAYOUT_ATTACHMENT_OPTIMAL,
+         .newLayout = by_shader ? VK_IMAGE_LAYOUT_READ_ONLY_OPTIMAL : VK_IMAGE_LAYOUT_TRANSFER_SRC_OPTIMAL,
+         .image = attachment.image.get(),
+         .subresourceRange = whole_image(aspect)});
   });
   record_image_barriers(commands, barriers);
 }
 
-// Hazard: the host reads after the copies have written. The fence alone makes nothing visible to the host.
+// Hazard: the host reads after the copies and the shader have written, each its own part of the buffer. The fence
+// alone makes nothing visible to the host.
 void record_host_barrier(VkCommandBuffer commands) {
-  const VkMemoryBarrier2 barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
-                                 .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT,
-                                 .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT,
-                                 .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
-                                 .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
+  const VkMemoryBarrier2 barrier{
+      .sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER_2,
+      .srcStageMask = VK_PIPELINE_STAGE_2_COPY_BIT | VK_PIPELINE_STAGE_2_COMPUTE_SHADER_BIT,
+      .srcAccessMask = VK_ACCESS_2_TRANSFER_WRITE_BIT | VK_ACCESS_2_SHADER_STORAGE_WRITE_BIT,
+      .dstStageMask = VK_PIPELINE_STAGE_2_HOST_BIT,
+      .dstAccessMask = VK_ACCESS_2_HOST_READ_BIT};
   const VkDependencyInfo info{
       .sType = VK_STRUCTURE_TYPE_DEPENDENCY_INFO, .memoryBarrierCount = 1, .pMemoryBarriers = &barrier};
   vkCmdPipelineBarrier2(commands, &info);
@@ -106,44 +110,69 @@ void begin_rendering(VkCommandBuffer commands, const Pass& pass, float clear_dep
   vkCmdBeginRendering(commands, &info);
 }
 
-void set_state(VkCommandBuffer commands, const UploadedDraw& draw) {
-  const RasterState& state = *draw.state;
+void set_depth_state(VkCommandBuffer commands, const RasterState& state) {
+  vkCmdSetDepthTestEnable(commands, state.depth_test ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthWriteEnable(commands, state.depth_write ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthCompareOp(commands, state.depth_compare);
+  const DepthBias bias = state.depth_bias.value_or(DepthBias{});
+  vkCmdSetDepthBiasEnable(commands, state.depth_bias ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthBias(commands, bias.constant_factor, bias.clamp, bias.slope_factor);
+  const DepthBounds bounds = state.depth_bounds.value_or(DepthBounds{});
+  vkCmdSetDepthBoundsTestEnable(commands, state.depth_bounds ? VK_TRUE : VK_FALSE);
+  vkCmdSetDepthBounds(commands, bounds.min, bounds.max);
+}
+
+void set_state(VkCommandBuffer commands, const UploadedDraw& uploaded) {
+  const RasterState& state = uploaded.draw->state;
   vkCmdSetViewport(commands, 0, 1, &state.viewport);
   vkCmdSetScissor(commands, 0, 1, &state.scissor);
   vkCmdSetCullMode(commands, state.cull_mode);
   vkCmdSetFrontFace(commands, state.front_face);
-  vkCmdSetPrimitiveTopology(commands, draw.topology);
-  vkCmdSetDepthTestEnable(commands, state.depth_test ? VK_TRUE : VK_FALSE);
-  vkCmdSetDepthWriteEnable(commands, state.depth_write ? VK_TRUE : VK_FALSE);
-  vkCmdSetDepthCompareOp(commands, state.depth_compare);
+  vkCmdSetPrimitiveTopology(commands, uploaded.topology);
+  const bool restarts = uploaded.indexed && uploaded.draw->primitive_restart;
+  vkCmdSetPrimitiveRestartEnable(commands, restarts ? VK_TRUE : VK_FALSE);
+  vkCmdSetLineWidth(commands, uploaded.draws_lines ? state.line_width : 1.0F);
+  set_depth_state(commands, state);
 }
 
-void record_draw(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const UploadedDraw& draw,
-                 const SlotRange& slots, uint32_t case_slots) {
-  set_state(commands, draw);
-  const std::array buffers = {upload, upload};
-  const std::array<VkDeviceSize, 2> offsets = {draw.positions_offset,
-                                               draw.slots_offset + VkDeviceSize{slots.first} * kVec4Bytes};
-  const std::array<VkDeviceSize, 2> strides = {kVec4Bytes, VkDeviceSize{case_slots} * kVec4Bytes};
-  const uint32_t bindings = slots.counts.total() > 0 ? 2 : 1;
-  vkCmdBindVertexBuffers2(commands, kPositionBinding, bindings, buffers.data(), offsets.data(), nullptr,
+void bind_vertices(VkCommandBuffer commands, VkBuffer upload, const UploadedDraw& uploaded, const SlotRange& slots,
+                   uint32_t vertex_slots) {
+  const std::array buffers = {upload, upload, upload};
+  // Bindings that the pipeline does not read begin with the positions, since an offset must lie in the buffer.
+  std::array<VkDeviceSize, kBindings> offsets{};
+  offsets.fill(uploaded.positions_offset);
+  if (slots.counts.interpolated() > 0) {
+    offsets[kSlotBinding] = uploaded.slots_offset + VkDeviceSize{slots.first} * kVec4Bytes;
+  }
+  if (uploaded.extras > 0) offsets[kExtraBinding] = uploaded.extras_offset;
+  const std::array<VkDeviceSize, kBindings> strides = {kVec4Bytes, VkDeviceSize{vertex_slots} * kVec4Bytes,
+                                                       VkDeviceSize{uploaded.extras} * sizeof(float)};
+  vkCmdBindVertexBuffers2(commands, kPositionBinding, kBindings, buffers.data(), offsets.data(), nullptr,
                           strides.data());
+}
+
+void record_draw(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const UploadedDraw& uploaded) {
   vkCmdPushConstants(commands, layout, VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT, 0,
-                     sizeof(Numbering), &draw.numbering);
-  if (draw.indexed) {
-    vkCmdBindIndexBuffer(commands, upload, draw.indices_offset, VK_INDEX_TYPE_UINT32);
-    vkCmdDrawIndexed(commands, draw.elements, 1, 0, 0, 0);
+                     sizeof(Numbering), &uploaded.numbering);
+  if (uploaded.indexed) {
+    vkCmdBindIndexBuffer(commands, upload, uploaded.indices_offset, uploaded.draw->index_type);
+    vkCmdDrawIndexed(commands, uploaded.run.count, 1, uploaded.run.first, uploaded.draw->vertex_offset, 0);
   } else {
-    vkCmdDraw(commands, draw.elements, 1, 0, 0);
+    vkCmdDraw(commands, uploaded.run.count, 1, uploaded.run.first, 0);
   }
 }
 
 void record_pass(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const CaseJob& job,
                  const Pass& pass) {
   begin_rendering(commands, pass, job.drawn->target.clear_depth);
-  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pass.pipeline);
-  for (const UploadedDraw& draw : job.draws) {
-    record_draw(commands, layout, upload, draw, pass.slots, job.needs.packing.counts.total());
+  VkPipeline bound = VK_NULL_HANDLE;
+  for (const UploadedDraw& uploaded : job.draws) {
+    VkPipeline pipeline = pass.pipelines[uploaded.index];
+    if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
+    bound = pipeline;
+    set_state(commands, uploaded);
+    bind_vertices(commands, upload, uploaded, pass.slots, job.needs.packing.counts.interpolated());
+    record_draw(commands, layout, upload, uploaded);
   }
   vkCmdEndRendering(commands);
 }
@@ -151,6 +180,7 @@ void record_pass(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upl
 void record_copies(VkCommandBuffer commands, VkBuffer readback, std::span<const CaseJob> jobs) {
   for_each_attachment(
       jobs, [&](const Attachment& attachment, VkImageAspectFlags aspect, const Pass& pass, uint32_t index) {
+        if (pass.target.is_multisampled()) return;
         const TargetKey& key = pass.target.key();
         const VkBufferImageCopy region{.bufferOffset = pass.readback_offset + attachment_offset(key, index),
                                        .imageSubresource = {.aspectMask = aspect, .layerCount = 1},
@@ -162,15 +192,16 @@ void record_copies(VkCommandBuffer commands, VkBuffer readback, std::span<const 
 
 }  // namespace
 
-void record(VkCommandBuffer commands, const PipelineCache& pipelines, const SubmissionBuffers& buffers,
-            std::span<const CaseJob> jobs) {
+void record(VkCommandBuffer commands, const PipelineCache& pipelines, const SampleReader& sample_reader,
+            const SubmissionBuffers& buffers, std::span<const CaseJob> jobs) {
   // The upload buffer needs no barrier: submitting makes the host's writes visible.
   record_begin_barrier(commands, jobs);
   for (const CaseJob& job : jobs) {
     for (const Pass& pass : job.passes) record_pass(commands, pipelines.layout(), buffers.upload, job, pass);
   }
-  record_copy_barrier(commands, jobs);
+  record_read_barrier(commands, jobs);
   record_copies(commands, buffers.readback, jobs);
+  sample_reader.record(commands);
   record_host_barrier(commands);
 }
 

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "reference/vulkan/job.h"
+#include "reference/vulkan/sample_reader.h"
 
 namespace fillrule::vulkan {
 
@@ -14,8 +15,8 @@ struct SubmissionBuffers {
   VkBuffer readback = VK_NULL_HANDLE;
 };
 
-// Records drawing all jobs and copying their attachments to the readback buffer, for the host to read.
-void record(VkCommandBuffer commands, const PipelineCache& pipelines, const SubmissionBuffers& buffers,
-            std::span<const CaseJob> jobs);
+// Records drawing all jobs and bringing their attachments to the readback buffer, for the host to read.
+void record(VkCommandBuffer commands, const PipelineCache& pipelines, const SampleReader& sample_reader,
+            const SubmissionBuffers& buffers, std::span<const CaseJob> jobs);
 
 }  // namespace fillrule::vulkan

@@ -21,6 +21,13 @@
 
 namespace fillrule::vulkan {
 
+// Sizes in pixels that a device draws as they are: 1, and min + i * step up to max; with step 0 all from min to max.
+struct SizeRange {
+  float min = 1;
+  float max = 1;
+  float step = 0;
+};
+
 // What a device says of itself.
 struct DeviceInfo {
   std::string name;              // "llvmpipe (LLVM 15.0.6, 256 bits)"
@@ -32,20 +39,28 @@ struct DeviceInfo {
   uint32_t max_target_size = 0;  // pixels, of width and of height
   std::array<uint32_t, 2> max_viewport_size{};  // pixels
   std::array<float, 2> viewport_bounds{};       // framebuffer coordinates
-  FeatureSet features;                          // of cases that it can draw
-  bool has_primitive_id = false;                // gl_PrimitiveID in a fragment shader (feature geometryShader)
+  SizeRange line_widths;
+  SizeRange point_sizes;
+  FeatureSet features;            // of cases that it can draw
+  bool has_primitive_id = false;  // gl_PrimitiveID in a fragment shader (feature geometryShader)
 };
 
 // The devices of every installed driver and of the drivers in `driver_files` (ICD manifests); empty if there are
 // none. The files are added to the environment variable VK_ADD_DRIVER_FILES, so call this before other threads run.
 Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver_files = {});
 
-// The GLSL pair that is drawn with: generic text, specialised by the macros NUM_SMOOTH, NUM_NOPERSPECTIVE, NUM_FLAT
-// (how many vec4 slots of each interpolation) and PRIMITIVE_ID (1 if the fragment stage may read gl_PrimitiveID).
+// The GLSL pair that is drawn with: generic text, specialised by macros.
+//   INTERPOLATED(S)     S(i, qualifiers) for each vec4 slot i that the vertices fill, as in S(0, centroid smooth)
+//   NUM_INTERPOLATED    how many there are
+//   FRAG_COORDS(S), POINT_COORDS(S)   S(i) for each slot i that gl_FragCoord or gl_PointCoord (twice) fills
+//   POINTS              1 if points are drawn, so that the vertex stage must write gl_PointSize
+//   NUM_CLIP_DISTANCES, NUM_CULL_DISTANCES
+//   PRIMITIVE_ID        1 if the fragment stage may read gl_PrimitiveID
 //
-// Vertex inputs: the position at location 0, then the slots, smooth ones first, flat ones last. Fragment outputs: a
-// hit (float) at location 0, the primitive's number + 1 with the facing in the top bit (uint) at location 1, then the
-// slots. Push constants: uint first_primitive, vertices_per_primitive, first_provoking_vertex.
+// Vertex inputs: the position at location 0, the slots from location 1, the point size (float) behind them, then clip
+// and cull distances (float each). Fragment outputs: a hit (float) at location 0, the primitive's number + 1 with the
+// facing in the top bit (uint) at location 1, then the slots. Push constants: uint first_primitive,
+// vertices_per_primitive, first_provoking_vertex.
 struct Program {
   std::string vertex_glsl;
   std::string fragment_glsl;

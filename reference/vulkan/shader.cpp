@@ -5,6 +5,8 @@
 #include <glslang/Include/glslang_c_interface.h>
 #include <glslang/Public/resource_limits_c.h>
 
+#include <algorithm>
+#include <array>
 #include <memory>
 
 namespace fillrule::vulkan {
@@ -30,16 +32,27 @@ class GlslangProcess {
   GlslangProcess& operator=(GlslangProcess&&) = delete;
 };
 
+struct Stage {
+  VkShaderStageFlagBits vulkan;
+  glslang_stage_t glslang;
+  const char* name;
+};
+constexpr std::array kStages = {
+    Stage{VK_SHADER_STAGE_VERTEX_BIT, GLSLANG_STAGE_VERTEX, "vertex"},
+    Stage{VK_SHADER_STAGE_FRAGMENT_BIT, GLSLANG_STAGE_FRAGMENT, "fragment"},
+    Stage{VK_SHADER_STAGE_COMPUTE_BIT, GLSLANG_STAGE_COMPUTE, "compute"},
+};
+
 }  // namespace
 
 Result<std::vector<uint32_t>> compile_glsl(VkShaderStageFlagBits stage, const std::string& glsl,
                                            const std::string& defines) {
   static const GlslangProcess process;
-  const bool is_vertex = stage == VK_SHADER_STAGE_VERTEX_BIT;
-  const char* const stage_name = is_vertex ? "vertex" : "fragment";
+  const Stage& kind = *std::ranges::find(kStages, stage, &Stage::vulkan);
+  const char* const stage_name = kind.name;
   const int rules = GLSLANG_MSG_SPV_RULES_BIT | GLSLANG_MSG_VULKAN_RULES_BIT;
   const glslang_input_t input{.language = GLSLANG_SOURCE_GLSL,
-                              .stage = is_vertex ? GLSLANG_STAGE_VERTEX : GLSLANG_STAGE_FRAGMENT,
+                              .stage = kind.glslang,
                               .client = GLSLANG_CLIENT_VULKAN,
                               .client_version = GLSLANG_TARGET_VULKAN_1_3,
                               .target_language = GLSLANG_TARGET_SPV,
@@ -66,6 +79,19 @@ Result<std::vector<uint32_t>> compile_glsl(VkShaderStageFlagBits stage, const st
   std::vector<uint32_t> spirv(glslang_program_SPIRV_get_size(program.get()));
   glslang_program_SPIRV_get(program.get(), spirv.data());
   return spirv;
+}
+
+Result<ShaderModule> create_shader(VkDevice device, VkShaderStageFlagBits stage, const std::string& glsl,
+                                   const std::string& defines) {
+  const auto spirv = compile_glsl(stage, glsl, defines);
+  if (!spirv) return tl::unexpected(spirv.error());
+  const VkShaderModuleCreateInfo info{.sType = VK_STRUCTURE_TYPE_SHADER_MODULE_CREATE_INFO,
+                                      .codeSize = spirv->size() * sizeof(uint32_t),
+                                      .pCode = spirv->data()};
+  VkShaderModule module = VK_NULL_HANDLE;
+  const VkResult result = vkCreateShaderModule(device, &info, nullptr, &module);
+  if (result != VK_SUCCESS) return failed_call("vkCreateShaderModule", result);
+  return ShaderModule(device, module);
 }
 
 }  // namespace fillrule::vulkan

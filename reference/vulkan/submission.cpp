@@ -38,7 +38,7 @@ Result<Submitter> Submitter::create(const Device& device, PipelineCache& pipelin
 
 Result<CaseNeeds> Submitter::needs(const Case& drawn) const {
   if (auto checked = check_case(device_->info(), drawn); !checked) return tl::unexpected(checked.error());
-  CaseNeeds needs = needs_of(drawn, device_->slots_per_pass(), !pipelines_->uses_primitive_id());
+  CaseNeeds needs = needs_of(drawn, device_->slots_per_pass(), pipelines_->uses_primitive_id());
   if (needs.device_bytes <= bytes_in_flight_) return needs;
   const uint64_t buffer_bytes = std::max(needs.upload_bytes, needs.readback_bytes);
   const uint64_t available = device_->available_bytes();
@@ -65,7 +65,7 @@ void Submitter::draw(std::vector<CaseJob> jobs, std::span<Result<Planes>> result
 
   Result<void> done = place(jobs);
   if (done) {
-    for (CaseJob& job : jobs) job.draws = upload(job, !pipelines_->uses_primitive_id(), upload_.bytes());
+    for (CaseJob& job : jobs) job.draws = upload(job, pipelines_->uses_primitive_id(), upload_.bytes());
     done = submit(jobs);
   }
   for (CaseJob& job : jobs) {
@@ -81,12 +81,14 @@ void Submitter::draw(std::vector<CaseJob> jobs, std::span<Result<Planes>> result
 Result<void> Submitter::prepare(CaseJob& job) {
   for (const SlotRange& slots : job.needs.passes) {
     const TargetKey key = target_key(*job.drawn, slots);
-    const Result<VkPipeline> pipeline =
-        pipelines_->find_or_create({.slots = slots.counts, .depth_format = key.depth_format, .samples = key.samples});
-    if (!pipeline) return tl::unexpected(pipeline.error());
     Result<TargetSet> target = targets_.acquire(key);
     if (!target) return tl::unexpected(target.error());
-    job.passes.push_back({.slots = slots, .target = std::move(*target), .pipeline = *pipeline});
+    job.passes.push_back({.slots = slots, .target = std::move(*target)});
+    for (const Draw& draw : job.drawn->draws) {
+      const Result<VkPipeline> pipeline = pipelines_->find_or_create(pipeline_key(*job.drawn, draw, slots.counts));
+      if (!pipeline) return tl::unexpected(pipeline.error());
+      job.passes.back().pipelines.push_back(*pipeline);
+    }
   }
   return {};
 }
@@ -103,7 +105,9 @@ Result<void> Submitter::place(std::span<CaseJob> jobs) {
     }
   }
   auto fitted = fit(upload_, upload_bytes, VK_BUFFER_USAGE_VERTEX_BUFFER_BIT | VK_BUFFER_USAGE_INDEX_BUFFER_BIT);
-  if (fitted) fitted = fit(readback_, readback_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  if (fitted)
+    fitted = fit(readback_, readback_bytes, VK_BUFFER_USAGE_TRANSFER_DST_BIT | VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
+  if (fitted) fitted = sample_reader_.bind(jobs, readback_.get());
   return fitted;
 }
 
@@ -126,7 +130,7 @@ Result<void> Submitter::submit(std::span<const CaseJob> jobs) {
                                             .flags = VK_COMMAND_BUFFER_USAGE_ONE_TIME_SUBMIT_BIT};
   result = vkBeginCommandBuffer(commands_, &begin_info);
   if (result != VK_SUCCESS) return failed_call("vkBeginCommandBuffer", result);
-  record(commands_, *pipelines_, {.upload = upload_.get(), .readback = readback_.get()}, jobs);
+  record(commands_, *pipelines_, sample_reader_, {.upload = upload_.get(), .readback = readback_.get()}, jobs);
   result = vkEndCommandBuffer(commands_);
   if (result != VK_SUCCESS) return failed_call("vkEndCommandBuffer", result);
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "reference/vulkan/job.h"
+#include "reference/vulkan/sample_reader.h"
 
 namespace fillrule::vulkan {
 
@@ -25,6 +26,7 @@ class Submitter {
   Submitter(const Device& device, PipelineCache& pipelines, uint64_t bytes_in_flight)
       : device_(&device),
         pipelines_(&pipelines),
+        sample_reader_(device),
         bytes_in_flight_(bytes_in_flight),
         targets_(device, bytes_in_flight) {}
 
@@ -38,6 +40,7 @@ class Submitter {
 
   const Device* device_;
   PipelineCache* pipelines_;
+  SampleReader sample_reader_;
   uint64_t bytes_in_flight_;
   TargetPool targets_;
   HostBuffer upload_;

@@ -11,33 +11,42 @@ namespace {
 constexpr uint32_t kScalarBytes = 4;
 constexpr uint32_t kSlotBytes = 16;
 
-VkImageUsageFlags usage_of(VkFormat format) {
-  const bool is_depth = format == VK_FORMAT_D32_SFLOAT;
-  return VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
-         (is_depth ? VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT : VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT);
-}
-
-Result<void> check_image(const Device& device, const TargetKey& key, VkFormat format, uint32_t bytes_per_pixel) {
+Result<void> check_image(const Device& device, const TargetKey& key, VkFormat format, uint32_t bytes_per_sample) {
   VkImageFormatProperties properties{};
-  const VkResult result = vkGetPhysicalDeviceImageFormatProperties(
-      device.physical(), format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL, usage_of(format), 0, &properties);
+  const VkResult result =
+      vkGetPhysicalDeviceImageFormatProperties(device.physical(), format, VK_IMAGE_TYPE_2D, VK_IMAGE_TILING_OPTIMAL,
+                                               attachment_usage(format, key.samples), 0, &properties);
+  const bool has_samples = result == VK_SUCCESS && (properties.sampleCounts & key.samples) != 0;
+  if (result == VK_ERROR_FORMAT_NOT_SUPPORTED || (result == VK_SUCCESS && !has_samples)) {
+    return failure(fmt::format("target.samples: {} has no depth format {} with {} samples", device.info().driver,
+                               static_cast<int>(format), static_cast<int>(key.samples)));
+  }
   if (result != VK_SUCCESS) return failed_call("vkGetPhysicalDeviceImageFormatProperties", result);
-  const uint64_t bytes = uint64_t{key.width} * key.height * bytes_per_pixel;
-  if (key.width > properties.maxExtent.width || key.height > properties.maxExtent.height ||
-      bytes > properties.maxResourceSize) {
+  const uint64_t bytes = uint64_t{key.width} * key.height * key.samples * bytes_per_sample;
+  const bool is_multisampled = key.samples != VK_SAMPLE_COUNT_1_BIT;
+  const uint64_t max_bytes = is_multisampled
+                                 ? std::min<uint64_t>(properties.maxResourceSize, device.max_storage_buffer_bytes())
+                                 : properties.maxResourceSize;
+  if (key.width > properties.maxExtent.width || key.height > properties.maxExtent.height || bytes > max_bytes) {
     return failure(fmt::format("target.size: an image of {} x {} pixels of {} bytes is beyond the limits of {}",
-                               key.width, key.height, bytes_per_pixel, device.info().name),
+                               key.width, key.height, bytes_per_sample * key.samples, device.info().name),
                    fmt::format("the device's limits are {} x {} pixels and {} MiB", properties.maxExtent.width,
-                               properties.maxExtent.height, properties.maxResourceSize >> 20U));
+                               properties.maxExtent.height, max_bytes >> 20U));
   }
   return {};
 }
 
 }  // namespace
 
+VkImageUsageFlags attachment_usage(VkFormat format, VkSampleCountFlagBits samples) {
+  const bool is_color = format == kHitsFormat || format == kOwnerFormat || format == kSlotFormat;
+  return (is_color ? VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT : VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT) |
+         (samples == VK_SAMPLE_COUNT_1_BIT ? VK_IMAGE_USAGE_TRANSFER_SRC_BIT : VK_IMAGE_USAGE_SAMPLED_BIT);
+}
+
 uint64_t estimated_bytes(const TargetKey& key) {
   const uint64_t scalars = key.depth_format == VK_FORMAT_UNDEFINED ? 2 : 3;
-  return uint64_t{key.width} * key.height * (scalars * kScalarBytes + uint64_t{key.slots} * kSlotBytes);
+  return uint64_t{key.width} * key.height * key.samples * (scalars * kScalarBytes + uint64_t{key.slots} * kSlotBytes);
 }
 
 Result<TargetSet> TargetSet::create(const Device& device, const TargetKey& key) {
@@ -52,8 +61,8 @@ Result<TargetSet> TargetSet::create(const Device& device, const TargetKey& key) 
   return set;
 }
 
-Result<void> TargetSet::add_image(const Device& device, VkFormat format, uint32_t bytes_per_pixel) {
-  if (auto checked = check_image(device, key_, format, bytes_per_pixel); !checked) return checked;
+Result<void> TargetSet::add_image(const Device& device, VkFormat format, uint32_t bytes_per_sample) {
+  if (auto checked = check_image(device, key_, format, bytes_per_sample); !checked) return checked;
   const VkImageCreateInfo info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO,
                                .imageType = VK_IMAGE_TYPE_2D,
                                .format = format,
@@ -62,11 +71,12 @@ Result<void> TargetSet::add_image(const Device& device, VkFormat format, uint32_
                                .arrayLayers = 1,
                                .samples = key_.samples,
                                .tiling = VK_IMAGE_TILING_OPTIMAL,
-                               .usage = usage_of(format)};
+                               .usage = attachment_usage(format, key_.samples)};
   VkImage image = VK_NULL_HANDLE;
   const VkResult result = vkCreateImage(device.get(), &info, nullptr, &image);
   if (result != VK_SUCCESS) return failed_call("vkCreateImage", result);
-  attachments_.push_back({.image = Image(device.get(), image), .format = format, .bytes_per_pixel = bytes_per_pixel});
+  attachments_.push_back(
+      {.image = Image(device.get(), image), .format = format, .bytes_per_sample = bytes_per_sample});
   return {};
 }
 

@@ -25,24 +25,25 @@ struct Attachment {
   Image image;
   ImageView view;
   VkFormat format = VK_FORMAT_UNDEFINED;
-  uint32_t bytes_per_pixel = 0;
+  uint32_t bytes_per_sample = 0;
 };
 
 // The images of one pass in one allocation.
 class TargetSet {
  public:
-  // Fails, naming the key "target.size", where the device cannot have such images.
+  // Fails, naming the key, where the device cannot have such images.
   static Result<TargetSet> create(const Device& device, const TargetKey& key);
 
   [[nodiscard]] const TargetKey& key() const { return key_; }
   // Hits, owner, then the slots; the depth attachment last, if there is one.
   [[nodiscard]] const std::vector<Attachment>& attachments() const { return attachments_; }
   [[nodiscard]] bool has_depth() const { return key_.depth_format != VK_FORMAT_UNDEFINED; }
+  [[nodiscard]] bool is_multisampled() const { return key_.samples != VK_SAMPLE_COUNT_1_BIT; }
   [[nodiscard]] uint64_t bytes() const { return bytes_; }
 
  private:
   TargetSet() = default;
-  Result<void> add_image(const Device& device, VkFormat format, uint32_t bytes_per_pixel);
+  Result<void> add_image(const Device& device, VkFormat format, uint32_t bytes_per_sample);
   Result<void> bind_memory(const Device& device);
 
   TargetKey key_;
@@ -50,6 +51,9 @@ class TargetSet {
   std::vector<Attachment> attachments_;
   uint64_t bytes_ = 0;
 };
+
+// What an attachment is for: to be drawn to, and to be copied or, with several samples, read by a shader.
+VkImageUsageFlags attachment_usage(VkFormat format, VkSampleCountFlagBits samples);
 
 // What the images of `key` take, alignment aside.
 uint64_t estimated_bytes(const TargetKey& key);

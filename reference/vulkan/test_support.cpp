@@ -1,6 +1,7 @@
 #include "reference/vulkan/test_support.h"
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <memory>
@@ -43,6 +44,33 @@ Reference& shared_reference() {
   // Never destroyed, so that the libraries stay loaded and the leak sanitizer can tell their memory from ours.
   static Reference* const reference = std::make_unique<Reference>(create_or_throw(validated_options())).release();
   return *reference;
+}
+
+Reference* shared_reference_of(const std::string& driver) {
+  if (driver == "lavapipe") return &shared_reference();
+  static Reference* const swiftshader = []() -> Reference* {
+    const std::string manifest = FILLRULE_SOURCE_DIR "/build/swiftshader/vk_swiftshader_icd.json";
+    if (!std::filesystem::exists(manifest)) return nullptr;
+    Options options = validated_options();
+    options.driver = "swiftshader";
+    options.driver_files = {manifest};
+    return std::make_unique<Reference>(create_or_throw(options)).release();
+  }();
+  return swiftshader;
+}
+
+void OnEachDriver::SetUp() {
+  reference_ = shared_reference_of(GetParam());
+  if (reference_ == nullptr) GTEST_SKIP() << "SwiftShader is not here; ci/swiftshader fetches it";
+}
+
+Result<Planes> OnEachDriver::draw(const Case& drawn) const {
+  const Case* const pointer = &drawn;
+  std::vector<Result<Planes>> results = reference().draw(std::span(&pointer, 1));
+  expect_no_messages(reference());
+  const bool is_able = features_of(drawn).without(reference().device().features).empty();
+  if (!results.front() && is_able) ADD_FAILURE() << to_string(results.front().error());
+  return std::move(results.front());
 }
 
 Planes draw_one(const Case& drawn) {

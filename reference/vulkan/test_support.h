@@ -27,6 +27,23 @@ Reference create_or_throw(const Options& options);
 // The reference that the tests share, since an instance under validation takes its time.
 Reference& shared_reference();
 
+// The drivers that tests go over, and the shared reference of one: null where it is not installed. Lavapipe must be
+// there; SwiftShader is what ci/swiftshader fetches.
+inline constexpr std::array kDrivers = {"lavapipe", "swiftshader"};
+Reference* shared_reference_of(const std::string& driver);
+
+// A test on one of the drivers; skipped where it is missing.
+class OnEachDriver : public testing::TestWithParam<const char*> {
+ protected:
+  void SetUp() override;
+  [[nodiscard]] Reference& reference() const { return *reference_; }
+  // The error is what the device lacks, for the test to skip; every other one fails the test.
+  [[nodiscard]] Result<Planes> draw(const Case& drawn) const;
+
+ private:
+  Reference* reference_ = nullptr;
+};
+
 // Draws one case with the shared reference. Fails the test on an error and on any validation message.
 Planes draw_one(const Case& drawn);
 Planes draw_one(Reference& reference, const Case& drawn);

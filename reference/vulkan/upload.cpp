@@ -1,18 +1,27 @@
 #include <cstring>
 
+#include "reference/vulkan/elements.h"
 #include "reference/vulkan/job.h"
 
 namespace fillrule::vulkan {
 namespace {
 
-Numbering numbering_of(VkPrimitiveTopology topology, uint32_t first_primitive) {
+// Without gl_PrimitiveID: where primitive i of a run has its provoking vertex.
+Numbering numbering_of(VkPrimitiveTopology topology, VkProvokingVertexModeEXT provoking) {
+  const bool last = provoking == VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
   switch (topology) {
+    case VK_PRIMITIVE_TOPOLOGY_LINE_LIST:
+      return {.vertices_per_primitive = 2};
+    case VK_PRIMITIVE_TOPOLOGY_LINE_STRIP:
+      return {.first_provoking_vertex = last ? 1U : 0U};
+    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST:
+      return {.vertices_per_primitive = 3};
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP:
-      return {.first_primitive = first_primitive, .vertices_per_primitive = 1, .first_provoking_vertex = 0};
+      return {.first_provoking_vertex = last ? 2U : 0U};
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN:
-      return {.first_primitive = first_primitive, .vertices_per_primitive = 1, .first_provoking_vertex = 1};
+      return {.first_provoking_vertex = last ? 2U : 1U};
     default:
-      return {.first_primitive = first_primitive, .vertices_per_primitive = 3, .first_provoking_vertex = 0};
+      return {};
   }
 }
 
@@ -27,7 +36,11 @@ class Writer {
     std::memcpy(buffer_.subspan(offset_, values.size_bytes()).data(), values.data(), values.size_bytes());
     offset_ += values.size_bytes();
   }
-  void align() { offset_ = (offset_ + kVec4Bytes - 1) / kVec4Bytes * kVec4Bytes; }
+  template <typename T>
+  void write_one(T value) {
+    write(std::span<const T>(&value, 1));
+  }
+  void align() { offset_ = aligned(offset_, kUploadAlignment); }
 
  private:
   std::span<std::byte> buffer_;
@@ -37,49 +50,83 @@ class Writer {
 // One vertex's components at their places in its slots; the lanes that no component fills are 0.
 void scatter(std::span<const float> components, const Packing& packing, std::span<float> slots) {
   for (size_t i = 0; i < components.size(); ++i) {
-    const ComponentPlace place = packing.components[i];
+    const ComponentPlace place = packing.vertex_components[i];
     slots[place.slot * kSlotComponents + place.lane] = components[i];
   }
 }
 
-UploadedDraw upload_draw(const Draw& draw, const Packing& packing, bool expand_indices, Writer& writer) {
-  const bool expand = draw.indices && expand_indices;
-  UploadedDraw uploaded{.state = &draw.state,
-                        .topology = draw.topology,
-                        .positions_offset = writer.offset(),
-                        .elements = element_count(draw),
-                        .indexed = draw.indices && !expand};
-  const size_t vertices = expand ? draw.indices->size() : draw.positions.size();
-  const auto source = [&](size_t vertex) { return expand ? (*draw.indices)[vertex] : vertex; };
+// In the order of the shader's inputs.
+void write_extras(const Draw& draw, bool draws_points, uint32_t vertex, Writer& writer) {
+  if (draws_points) writer.write_one(draw.point_sizes.empty() ? 1.0F : draw.point_sizes[vertex]);
+  const auto distances = [&](const std::vector<float>& values, uint32_t count) {
+    writer.write(std::span<const float>(values).subspan(size_t{vertex} * count, count));
+  };
+  distances(draw.clip_distances, draw.clip_distance_count);
+  distances(draw.cull_distances, draw.cull_distance_count);
+}
 
-  for (size_t i = 0; i < vertices; ++i) writer.write(std::span<const float>(draw.positions[source(i)]));
+void write_indices(const Draw& draw, Writer& writer) {
+  for (const uint32_t index : *draw.indices) {
+    switch (draw.index_type) {
+      case VK_INDEX_TYPE_UINT8_EXT:
+        writer.write_one(static_cast<uint8_t>(index));
+        break;
+      case VK_INDEX_TYPE_UINT16:
+        writer.write_one(static_cast<uint16_t>(index));
+        break;
+      default:
+        writer.write_one(index);
+    }
+  }
+}
+
+UploadedDraw upload_draw(const Draw& draw, const Packing& packing, const Elements& elements, Writer& writer) {
+  const PipelineKey key = pipeline_key({}, draw, {});
+  UploadedDraw uploaded{.draw = &draw,
+                        .topology = elements.topology,
+                        .indexed = elements.indexed,
+                        .draws_lines = key.draws_lines(),
+                        .extras = extra_count(key)};
+  uploaded.positions_offset = writer.offset();
+  for (const uint32_t vertex : elements.vertices) writer.write(std::span<const float>(draw.positions[vertex]));
   uploaded.slots_offset = writer.offset();
-  const size_t components = packing.components.size();
-  std::vector<float> slots(size_t{packing.counts.total()} * kSlotComponents, 0.0F);
-  for (size_t i = 0; i < vertices && components > 0; ++i) {
-    scatter(std::span(draw.varyings).subspan(source(i) * components, components), packing, slots);
+  const size_t components = packing.vertex_components.size();
+  std::vector<float> slots(size_t{packing.counts.interpolated()} * kSlotComponents, 0.0F);
+  for (const uint32_t vertex : elements.vertices) {
+    scatter(std::span(draw.varyings).subspan(vertex * components, components), packing, slots);
     writer.write(std::span<const float>(slots));
   }
+  uploaded.extras_offset = writer.offset();
+  for (const uint32_t vertex : elements.vertices) write_extras(draw, key.draws_points(), vertex, writer);
+  writer.align();
   uploaded.indices_offset = writer.offset();
-  if (uploaded.indexed) writer.write(std::span<const uint32_t>(*draw.indices));
+  if (elements.indexed) write_indices(draw, writer);
   writer.align();
   return uploaded;
 }
 
 }  // namespace
 
-std::vector<UploadedDraw> upload(const CaseJob& job, bool expand_indices, std::span<std::byte> buffer) {
+std::vector<UploadedDraw> upload(const CaseJob& job, bool use_primitive_id, std::span<std::byte> buffer) {
   Writer writer(buffer, job.upload_offset);
   uint32_t first_primitive = 0;
-  std::vector<UploadedDraw> uploaded;
-  for (const Draw& draw : job.drawn->draws) {
-    const uint32_t primitives = primitive_count(draw);
-    if (primitives == 0) continue;
-    uploaded.push_back(upload_draw(draw, job.needs.packing, expand_indices, writer));
-    uploaded.back().numbering = numbering_of(draw.topology, first_primitive);
-    first_primitive += primitives;
+  std::vector<UploadedDraw> draws;
+  for (uint32_t i = 0; i < job.drawn->draws.size(); ++i) {
+    const Draw& draw = job.drawn->draws[i];
+    if (primitive_count(draw) == 0) continue;
+    const Elements elements = elements_of(draw, use_primitive_id);
+    UploadedDraw uploaded = upload_draw(draw, job.needs.packing, elements, writer);
+    uploaded.index = i;
+    for (const ElementRun& run : elements.runs) {
+      uploaded.run = run;
+      uploaded.numbering = numbering_of(elements.topology, draw.state.provoking_vertex);
+      uploaded.numbering.first_provoking_vertex += run.first;
+      uploaded.numbering.first_primitive = first_primitive;
+      draws.push_back(uploaded);
+      first_primitive += elements.indexed ? primitive_count(draw) : primitives_in_run(elements.topology, run.count);
+    }
   }
-  return uploaded;
+  return draws;
 }
 
 }  // namespace fillrule::vulkan

@@ -1,4 +1,4 @@
-#include "renderer/triangle_setup.h"
+#include "renderer/primitive_setup.h"
 
 #include <algorithm>
 
@@ -6,16 +6,6 @@
 
 namespace fillrule::renderer {
 namespace {
-
-// Where the pixels are whose centres the outline's bounding box holds.
-PixelRect bounding_pixels(std::span<const FixedPosition> outline, uint32_t subpixel_bits) {
-  const auto [x_min, x_max] = std::minmax_element(outline.begin(), outline.end(),
-                                                  [](const auto& a, const auto& b) { return a.x_fixed < b.x_fixed; });
-  const auto [y_min, y_max] = std::minmax_element(outline.begin(), outline.end(),
-                                                  [](const auto& a, const auto& b) { return a.y_fixed < b.y_fixed; });
-  return {first_pixel(x_min->x_fixed, subpixel_bits), first_pixel(y_min->y_fixed, subpixel_bits),
-          first_pixel(x_max->x_fixed, subpixel_bits), first_pixel(y_max->y_fixed, subpixel_bits)};
-}
 
 struct Area {
   int64_t doubled = 0;      // of the whole outline
@@ -34,21 +24,33 @@ Area area(std::span<const FixedPosition> outline) {
 
 }  // namespace
 
+PixelRect bounding_pixels(const SetupState& state, std::span<const FixedPosition> outline) {
+  const auto [x_min, x_max] = std::minmax_element(outline.begin(), outline.end(),
+                                                  [](const auto& a, const auto& b) { return a.x_fixed < b.x_fixed; });
+  const auto [y_min, y_max] = std::minmax_element(outline.begin(), outline.end(),
+                                                  [](const auto& a, const auto& b) { return a.y_fixed < b.y_fixed; });
+  const uint32_t bits = state.transform.subpixel_bits();
+  return {first_pixel(x_min->x_fixed, state.greatest_sample.x_fixed, bits),
+          first_pixel(y_min->y_fixed, state.greatest_sample.y_fixed, bits),
+          first_pixel(x_max->x_fixed, state.least_sample.x_fixed, bits),
+          first_pixel(y_max->y_fixed, state.least_sample.y_fixed, bits)};
+}
+
 bool is_front_facing(int64_t doubled_area_fixed, VkFrontFace front_face) {
   return front_face == VK_FRONT_FACE_COUNTER_CLOCKWISE ? doubled_area_fixed < 0 : doubled_area_fixed > 0;
 }
 
-std::optional<SetupTriangle> setup_triangle(const SetupState& state, uint32_t primitive,
-                                            const std::array<ClipPosition, 3>& positions_clip,
-                                            const std::array<WindowVertex, 3>& window_vertices,
-                                            std::vector<FixedPosition>& polygon_vertices) {
+std::optional<SetupPrimitive> setup_triangle(const SetupState& state, uint32_t primitive,
+                                             const std::array<ClipPosition, 3>& positions_clip,
+                                             const std::array<WindowVertex, 3>& window_vertices,
+                                             std::vector<FixedPosition>& polygon_vertices) {
   const auto& [v0, v1, v2] = window_vertices;
   const uint32_t outside_of_any = v0.clip_code | v1.clip_code | v2.clip_code;
   const uint32_t outside_of_all = v0.clip_code & v1.clip_code & v2.clip_code;
   if ((outside_of_any & kClipNotFinite) != 0 || outside_of_all != 0) {
     return std::nullopt;
   }
-  SetupTriangle triangle{.vertices = {v0.position, v1.position, v2.position}, .primitive = primitive};
+  SetupPrimitive triangle{.vertices = {v0.position, v1.position, v2.position}, .primitive = primitive};
   FixedPolygon polygon;
   std::span<const FixedPosition> outline = triangle.vertices;
   if (outside_of_any != 0) {
@@ -59,7 +61,7 @@ std::optional<SetupTriangle> setup_triangle(const SetupState& state, uint32_t pr
     outline = polygon.span();
   }
 
-  const PixelRect bounds = intersection(bounding_pixels(outline, state.transform.subpixel_bits()), state.clip_pixels);
+  const PixelRect bounds = intersection(bounding_pixels(state, outline), state.clip_pixels);
   if (bounds.empty()) {
     return std::nullopt;
   }

@@ -1,0 +1,75 @@
+// What a piece of a primitive covers: the questions that the oracle answers for a triangle, a line or a point alike.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "reference/exact/latitude.h"
+
+namespace fillrule::exact {
+
+enum class Coverage : uint8_t { kMustNot, kMay, kMust };
+
+// Which boundaries of a primitive leave a sample in doubt. Bits 0 to 2: the edge opposite of vertex 0, 1, 2.
+enum DoubtBits : uint8_t { kDoubtEdge0 = 1, kDoubtEdges = 7, kDoubtNear = 8, kDoubtFar = 16, kDoubtViewport = 32 };
+
+struct Classification {
+  Coverage coverage = Coverage::kMustNot;
+  uint8_t doubt = 0;  // DoubtBits; nonzero exactly if coverage is kMay
+};
+
+inline constexpr uint8_t kEveryBoundary = 0xFF;
+
+// What holds for every sample of a block; `undecided` are the boundaries (DoubtBits) that each sample has to be asked
+// about where coverage is kMay. All others are further away than the latitude, on the inside.
+struct BlockClassification {
+  Coverage coverage = Coverage::kMay;
+  uint8_t undecided = kEveryBoundary;
+};
+
+// A rectangle of samples: a centre and half its size, in pixels.
+struct Block {
+  double x = 0;
+  double y = 0;
+  double half_width = 0;
+  double half_height = 0;
+};
+
+class Shape {
+ public:
+  virtual ~Shape() = default;
+
+  // True where Vulkan says nothing: NaN, infinity, or coordinates whose products leave float32. The shape may then
+  // cover anything inside the viewport, and has no values.
+  [[nodiscard]] virtual bool undefined() const = 0;
+
+  // True if no implementation has to clip it: every vertex is inside the view volume.
+  [[nodiscard]] virtual bool inside_volume() const = 0;
+
+  // The coverage of the sample at framebuffer position (x, y), culling and scissor left aside. Only the boundaries in
+  // `undecided` are asked.
+  [[nodiscard]] virtual Classification classify(double x, double y, const Latitude& latitude,
+                                                uint8_t undecided = kEveryBoundary) const = 0;
+
+  // What is cheap to tell of all samples in the block at once.
+  [[nodiscard]] virtual BlockClassification classify_block(const Block& block, const Latitude& latitude) const = 0;
+
+  // True if the sample is inside with ties resolved by the top-left rule on the exact edges: exactly one of two
+  // triangles that share an edge owns a sample on it.
+  [[nodiscard]] virtual bool owns(double x, double y) const = 0;
+
+  // True if every vertex lies exactly on the grid of 2^-subpixel_bits pixels, and in front of the eye.
+  [[nodiscard]] virtual bool on_grid(uint32_t subpixel_bits) const = 0;
+
+  // The smallest rectangle (min x, min y, max x, max y; pixels) outside of which every sample is kMustNot.
+  [[nodiscard]] virtual std::array<double, 4> bounds(const Latitude& latitude) const = 0;
+
+ protected:
+  Shape() = default;
+  Shape(const Shape&) = default;
+  Shape& operator=(const Shape&) = default;
+  Shape(Shape&&) = default;
+  Shape& operator=(Shape&&) = default;
+};
+
+}  // namespace fillrule::exact

@@ -1,0 +1,129 @@
+#include "renderer/prepared_draw.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fillrule::renderer {
+namespace {
+
+// Vulkan's required limits, and those of the reference drivers: maxViewportDimensions, viewportBoundsRange.
+constexpr float kMaxViewportSize = 16384;
+constexpr float kMinViewportBound = -32768;
+constexpr float kMaxViewportBound = 32767;
+
+Result<void> check_viewport(const VkViewport& viewport) {
+  const float height = std::abs(viewport.height);
+  if (!(viewport.width > 0 && viewport.width <= kMaxViewportSize && height > 0 && height <= kMaxViewportSize)) {
+    return failure(fmt::format("viewport of {} x {} pixels", viewport.width, viewport.height),
+                   fmt::format("width above 0, height not 0, both at most {}", kMaxViewportSize));
+  }
+  const auto is_bound = [](float bound) { return bound >= kMinViewportBound && bound <= kMaxViewportBound; };
+  if (!is_bound(viewport.x) || !is_bound(viewport.y) || !is_bound(viewport.x + viewport.width) ||
+      !is_bound(viewport.y + viewport.height)) {
+    return failure(fmt::format("viewport from ({}, {})", viewport.x, viewport.y),
+                   fmt::format("all of it within {} to {}", kMinViewportBound, kMaxViewportBound));
+  }
+  const auto is_depth = [](float depth) { return depth >= 0 && depth <= 1; };
+  if (!is_depth(viewport.minDepth) || !is_depth(viewport.maxDepth)) {
+    return failure(fmt::format("viewport depth range {} to {}", viewport.minDepth, viewport.maxDepth),
+                   "both within 0 to 1");
+  }
+  return {};
+}
+
+Result<void> check_topology(VkPrimitiveTopology topology) {
+  switch (topology) {
+    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST:
+    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP:
+    case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN:
+      return {};
+    default:
+      return failure(fmt::format("topology {}", static_cast<int>(topology)), "triangle list, strip or fan");
+  }
+}
+
+Result<void> check(const DrawInput& input, const Options& options) {
+  if (options.subpixel_bits < kMinSubpixelBits || options.subpixel_bits > kMaxSubpixelBits) {
+    return failure(fmt::format("{} subpixel bits", options.subpixel_bits),
+                   fmt::format("{} to {}", kMinSubpixelBits, kMaxSubpixelBits));
+  }
+  if (input.target_width == 0 || input.target_width > kMaxTargetSize || input.target_height == 0 ||
+      input.target_height > kMaxTargetSize) {
+    return failure(fmt::format("target of {} x {} pixels", input.target_width, input.target_height),
+                   fmt::format("1 to {}", kMaxTargetSize));
+  }
+  if (standard_sample_locations(input.samples).empty()) {
+    return failure(fmt::format("{} samples a pixel", input.samples), "1, 2, 4, 8 or 16");
+  }
+  const size_t depth_values = input.depth.values.size();
+  if (depth_values != 0 && depth_values != size_t{input.target_width} * input.target_height * input.samples) {
+    return failure(fmt::format("a depth buffer of {} values for a target of {} x {} pixels of {} samples",
+                               depth_values, input.target_width, input.target_height, input.samples));
+  }
+  const VkFormat format = input.depth.format;
+  if (depth_values != 0 && format != VK_FORMAT_D32_SFLOAT && max_depth_code(format) == 0) {
+    return failure(fmt::format("depth format {}", static_cast<int>(format)),
+                   "D16_UNORM, X8_D24_UNORM_PACK32 or D32_SFLOAT");
+  }
+  return check_viewport(input.state.viewport)
+      .and_then([&] { return check_topology(input.vertices.topology); })
+      .and_then([&] { return check_indices(input.vertices); });
+}
+
+// The scissor's part of the target; its end may be beyond 2^31.
+PixelRect scissor_pixels(const VkRect2D& scissor, uint32_t width, uint32_t height) {
+  const auto clamped = [](int64_t value, uint32_t limit) {
+    return static_cast<int32_t>(std::clamp<int64_t>(value, 0, limit));
+  };
+  return {clamped(scissor.offset.x, width), clamped(scissor.offset.y, height),
+          clamped(int64_t{scissor.offset.x} + scissor.extent.width, width),
+          clamped(int64_t{scissor.offset.y} + scissor.extent.height, height)};
+}
+
+// Where each sample is and may be landed on; the bounds of them all.
+void set_up_samples(PreparedDraw& prepared) {
+  const DrawInput& input = prepared.input;
+  const PixelRect scissor = scissor_pixels(input.state.scissor, input.target_width, input.target_height);
+  prepared.sample_locations = standard_sample_locations(input.samples);
+  SetupState& setup = prepared.setup;
+  for (uint32_t i = 0; i < input.samples; ++i) {
+    const FixedPosition sample = prepared.sample_locations[i].fixed(prepared.subpixel_bits);
+    const PixelRect pixels = intersection(setup.transform.viewport_pixels(sample), scissor);
+    prepared.sample_areas[i] = {.sample_fixed = sample, .pixels = pixels};
+    if (i == 0) {
+      setup.least_sample = setup.greatest_sample = sample;
+      setup.clip_pixels = pixels;
+    }
+    setup.least_sample = {std::min(setup.least_sample.x_fixed, sample.x_fixed),
+                          std::min(setup.least_sample.y_fixed, sample.y_fixed)};
+    setup.greatest_sample = {std::max(setup.greatest_sample.x_fixed, sample.x_fixed),
+                             std::max(setup.greatest_sample.y_fixed, sample.y_fixed)};
+    setup.clip_pixels = hull(setup.clip_pixels, pixels);
+  }
+}
+
+}  // namespace
+
+Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options) {
+  if (const Result<void> checked = check(input, options); !checked) {
+    return tl::unexpected(checked.error());
+  }
+  const RasterState& state = input.state;
+  const WindowTransform transform(state.viewport, options.subpixel_bits,
+                                  {.clips = state.depth_clip, .negative_one_to_one = state.negative_one_to_one});
+  PreparedDraw prepared{
+      .input = input,
+      .subpixel_bits = options.subpixel_bits,
+      .coverage_rule = {.fill = options.fill, .subpixel_bits = options.subpixel_bits},
+      .depth = DepthStage(state, input.depth),
+      .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
+      .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),
+      .setup = {.transform = transform, .cull_mode = state.cull_mode, .front_face = state.front_face}};
+  set_up_samples(prepared);
+  return prepared;
+}
+
+}  // namespace fillrule::renderer

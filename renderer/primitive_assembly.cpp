@@ -1,0 +1,55 @@
+#include "renderer/primitive_assembly.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace fillrule::renderer {
+namespace {
+
+std::vector<ElementRun> runs_of(const VertexStream& stream) {
+  if (stream.runs) {
+    return {stream.runs->begin(), stream.runs->end()};
+  }
+  return {
+      {.first = 0, .count = stream.indices ? static_cast<uint32_t>(stream.indices->size()) : stream.vertex_count}};
+}
+
+}  // namespace
+
+PrimitiveAssembly::PrimitiveAssembly(const VertexStream& stream, VkProvokingVertexModeEXT provoking_vertex)
+    : topology_(stream.topology),
+      provoking_vertex_(provoking_vertex),
+      indices_(stream.indices),
+      vertex_offset_(static_cast<uint32_t>(stream.vertex_offset)) {
+  for (const ElementRun& run : runs_of(stream)) {
+    const uint32_t primitives = primitives_in_run(topology_, run.count);
+    if (primitives > 0) {
+      runs_.push_back({.first_element = run.first, .first_primitive = count_});
+      count_ += primitives;
+    }
+  }
+}
+
+const PrimitiveAssembly::Run& PrimitiveAssembly::run_of(uint32_t primitive) const {
+  const auto next = std::upper_bound(runs_.begin(), runs_.end(), primitive,
+                                     [](uint32_t number, const Run& run) { return number < run.first_primitive; });
+  return *(next - 1);
+}
+
+Result<void> check_indices(const VertexStream& stream) {
+  if (!stream.indices) {
+    return {};
+  }
+  for (const ElementRun& run : runs_of(stream)) {
+    for (const uint32_t index : stream.indices->subspan(run.first, run.count)) {
+      const int64_t vertex = int64_t{index} + stream.vertex_offset;
+      if (vertex < 0 || vertex >= stream.vertex_count) {
+        return failure(fmt::format("index {} in a draw of {} vertices", vertex, stream.vertex_count));
+      }
+    }
+  }
+  return {};
+}
+
+}  // namespace fillrule::renderer
