@@ -33,7 +33,9 @@ double greatest_depth(const PreparedDraw& draw, const std::array<ClipPosition, 3
   const auto& [least, greatest] = std::minmax(state.viewport.minDepth, state.viewport.maxDepth);
   double result = 0;
   const auto include = [&, low = double{least}, high = double{greatest}](double depth) {
-    result = std::max(result, std::abs(state.depth_clip ? std::clamp(depth, low, high) : depth));
+    const double limited = state.depth_clip ? std::clamp(depth, low, high) : depth;
+    // To float32: the last bit of a double must not decide about the exponent.
+    result = std::max(result, double{std::abs(static_cast<float>(limited))});
   };
   if (std::all_of(positions_clip.begin(), positions_clip.end(), [](const auto& one) { return one[3] > 0; })) {
     for (const ClipPosition& position : positions_clip) {
