@@ -11,11 +11,13 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
                  const std::vector<WindowVertex>& window_vertices, uint32_t first, uint32_t end,
                  PrimitiveChunk& chunk) {
   chunk.clear();
+  const VertexDistances& distances = draw.input.clip_distances;
   for (uint32_t primitive = first; primitive < end; ++primitive) {
     const auto [a, b, c] = draw.assembly.triangle(primitive);
     const auto triangle =
         setup_triangle(draw.setup, primitive, {positions_clip[a], positions_clip[b], positions_clip[c]},
-                       {window_vertices[a], window_vertices[b], window_vertices[c]}, chunk.polygon_vertices());
+                       {window_vertices[a], window_vertices[b], window_vertices[c]},
+                       {distances.of(a), distances.of(b), distances.of(c)}, chunk.polygon_vertices());
     if (triangle) {
       chunk.add(*triangle);
     }
