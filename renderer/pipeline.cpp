@@ -11,11 +11,13 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
                  const std::vector<WindowVertex>& window_vertices, uint32_t first, uint32_t end,
                  PrimitiveChunk& chunk) {
   chunk.clear();
+  const VertexDistances& distances = draw.input.clip_distances;
   for (uint32_t primitive = first; primitive < end; ++primitive) {
     const auto [a, b, c] = draw.assembly.triangle(primitive);
     const auto triangle =
         setup_triangle(draw.setup, primitive, {positions_clip[a], positions_clip[b], positions_clip[c]},
-                       {window_vertices[a], window_vertices[b], window_vertices[c]}, chunk.polygon_vertices());
+                       {window_vertices[a], window_vertices[b], window_vertices[c]},
+                       {distances.of(a), distances.of(b), distances.of(c)}, chunk.polygon_vertices());
     if (triangle) {
       chunk.add(*triangle);
     }
@@ -33,7 +35,9 @@ double greatest_depth(const PreparedDraw& draw, const std::array<ClipPosition, 3
   const auto& [least, greatest] = std::minmax(state.viewport.minDepth, state.viewport.maxDepth);
   double result = 0;
   const auto include = [&, low = double{least}, high = double{greatest}](double depth) {
-    result = std::max(result, std::abs(state.depth_clip ? std::clamp(depth, low, high) : depth));
+    const double limited = state.depth_clip ? std::clamp(depth, low, high) : depth;
+    // To float32: the last bit of a double must not decide about the exponent.
+    result = std::max(result, double{std::abs(static_cast<float>(limited))});
   };
   if (std::all_of(positions_clip.begin(), positions_clip.end(), [](const auto& one) { return one[3] > 0; })) {
     for (const ClipPosition& position : positions_clip) {

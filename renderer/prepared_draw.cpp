@@ -45,6 +45,21 @@ Result<void> check_topology(VkPrimitiveTopology topology) {
   }
 }
 
+Result<void> check_distances(const DrawInput& input) {
+  const uint32_t count = input.clip_distances.count + input.cull_distances.count;
+  if (count > kMaxClipAndCullDistances) {
+    return failure(fmt::format("{} clip and cull distances", count),
+                   fmt::format("at most {}", kMaxClipAndCullDistances));
+  }
+  for (const VertexDistances& distances : {input.clip_distances, input.cull_distances}) {
+    if (distances.values.size() != size_t{distances.count} * input.vertices.vertex_count) {
+      return failure(fmt::format("{} values of {} distances for {} vertices", distances.values.size(),
+                                 distances.count, input.vertices.vertex_count));
+    }
+  }
+  return {};
+}
+
 Result<void> check(const DrawInput& input, const Options& options) {
   if (options.subpixel_bits < kMinSubpixelBits || options.subpixel_bits > kMaxSubpixelBits) {
     return failure(fmt::format("{} subpixel bits", options.subpixel_bits),
@@ -70,7 +85,8 @@ Result<void> check(const DrawInput& input, const Options& options) {
   }
   return check_viewport(input.state.viewport)
       .and_then([&] { return check_topology(input.vertices.topology); })
-      .and_then([&] { return check_indices(input.vertices); });
+      .and_then([&] { return check_indices(input.vertices); })
+      .and_then([&] { return check_distances(input); });
 }
 
 // The scissor's part of the target; its end may be beyond 2^31.

@@ -43,18 +43,20 @@ bool is_front_facing(int64_t doubled_area_fixed, VkFrontFace front_face) {
 std::optional<SetupPrimitive> setup_triangle(const SetupState& state, uint32_t primitive,
                                              const std::array<ClipPosition, 3>& positions_clip,
                                              const std::array<WindowVertex, 3>& window_vertices,
+                                             const ClipDistances& clip_distances,
                                              std::vector<FixedPosition>& polygon_vertices) {
   const auto& [v0, v1, v2] = window_vertices;
   const uint32_t outside_of_any = v0.clip_code | v1.clip_code | v2.clip_code;
   const uint32_t outside_of_all = v0.clip_code & v1.clip_code & v2.clip_code;
-  if ((outside_of_any & kClipNotFinite) != 0 || outside_of_all != 0) {
+  const uint32_t is_culled = v0.cull_code & v1.cull_code & v2.cull_code;
+  if ((outside_of_any & kClipNotFinite) != 0 || outside_of_all != 0 || is_culled != 0) {
     return std::nullopt;
   }
   SetupPrimitive triangle{.vertices = {v0.position, v1.position, v2.position}, .primitive = primitive};
   FixedPolygon polygon;
   std::span<const FixedPosition> outline = triangle.vertices;
   if (outside_of_any != 0) {
-    polygon = clip_triangle(state.transform, positions_clip, window_vertices);
+    polygon = clip_triangle(state.transform, positions_clip, window_vertices, clip_distances);
     if (polygon.count == 0) {
       return std::nullopt;
     }

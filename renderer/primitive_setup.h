@@ -64,6 +64,7 @@ bool is_front_facing(int64_t doubled_area_fixed, VkFrontFace front_face);
 std::optional<SetupPrimitive> setup_triangle(const SetupState& state, uint32_t primitive,
                                              const std::array<ClipPosition, 3>& positions_clip,
                                              const std::array<WindowVertex, 3>& window_vertices,
+                                             const ClipDistances& clip_distances,
                                              std::vector<FixedPosition>& polygon_vertices);
 
 }  // namespace fillrule::renderer

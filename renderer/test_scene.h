@@ -44,6 +44,8 @@ struct TestScene {
   std::vector<ClipPosition> positions;
   std::vector<float> values;  // one varying a vertex; 0 where absent
   std::optional<std::vector<uint32_t>> indices;
+  std::vector<float> clip_distances;  // as many for each vertex; likewise the next
+  std::vector<float> cull_distances;
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   float clear_depth = 1;
 
@@ -106,6 +108,10 @@ class RecordingProgram {
   TestPlanes& planes_;
 };
 
+inline VertexDistances distances_of(const std::vector<float>& values, size_t vertices) {
+  return {.count = static_cast<uint32_t>(values.size() / std::max<size_t>(vertices, 1)), .values = values};
+}
+
 inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, const Options& options = {}) {
   return draw({.target_width = scene.width,
                .target_height = scene.height,
@@ -114,6 +120,8 @@ inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, cons
                .vertices = {.topology = scene.topology,
                             .vertex_count = static_cast<uint32_t>(scene.positions.size()),
                             .indices = scene.indices ? Indices(*scene.indices) : std::nullopt},
+               .clip_distances = distances_of(scene.clip_distances, scene.positions.size()),
+               .cull_distances = distances_of(scene.cull_distances, scene.positions.size()),
                .state = scene.state,
                .depth = {planes.depth, scene.depth_format}},
               RecordingProgram(scene, planes), options);

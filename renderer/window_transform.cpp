@@ -59,6 +59,19 @@ WindowVertex WindowTransform::window_vertex(const ClipPosition& pos_clip) const 
   return {.position = code == 0 ? project(position) : FixedPosition{}, .clip_code = code};
 }
 
+void add_user_distances(std::span<const float> clip_distances, std::span<const float> cull_distances,
+                        WindowVertex& vertex) {
+  for (uint32_t i = 0; i < clip_distances.size(); ++i) {
+    const float distance = clip_distances[i];
+    const uint32_t code = !std::isfinite(distance) ? kClipNotFinite : (distance < 0 ? kClipFirstUser << i : 0U);
+    vertex.clip_code = static_cast<ClipCode>(vertex.clip_code | code);
+  }
+  for (uint32_t i = 0; i < cull_distances.size(); ++i) {
+    const uint32_t code = cull_distances[i] < 0 ? 1U << i : 0U;
+    vertex.cull_code = static_cast<uint8_t>(vertex.cull_code | code);
+  }
+}
+
 FixedPosition WindowTransform::project_inside(const ClipPosition& pos_clip) const {
   const float reciprocal_w = 1.0F / pos_clip[3];
   const float x_framebuffer = std::fma(pos_clip[0] * reciprocal_w, half_width_, centre_x_);

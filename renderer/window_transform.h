@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "cases/model/case.h"
 #include "renderer/fixed_point.h"
@@ -25,9 +26,11 @@ struct HomogeneousPosition {
 enum class ClipPlane : uint8_t { kNear, kFar, kLeft, kRight, kTop, kBottom };
 inline constexpr uint32_t kClipPlanes = 6;
 
-using ClipCode = uint8_t;                        // bit i: outside of ClipPlane i
+// Bit i: outside of ClipPlane i. The upper eight bits: outside of a user's clip distance, kClipFirstUser << i.
+using ClipCode = uint16_t;
 inline constexpr ClipCode kClipAtOrigin = 0x40;  // (0, 0, 0, 0): inside of every plane, yet projected nowhere
 inline constexpr ClipCode kClipNotFinite = 0x80;
+inline constexpr ClipCode kClipFirstUser = 0x100;
 
 // The part of the clip volume that a pipeline may choose.
 struct DepthVolume {
@@ -38,7 +41,13 @@ struct DepthVolume {
 struct WindowVertex {
   FixedPosition position;  // only meaningful with clip code 0
   ClipCode clip_code = 0;
+  uint8_t cull_code = 0;  // bit i: the user's cull distance i is negative
 };
+
+// Takes the user's distances at the vertex into its codes. A clip distance that is not finite, of which nothing can
+// be interpolated, drops the vertex' primitives like such a position.
+void add_user_distances(std::span<const float> clip_distances, std::span<const float> cull_distances,
+                        WindowVertex& vertex);
 
 class WindowTransform {
  public:

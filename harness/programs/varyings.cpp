@@ -54,12 +54,13 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
 
 FeatureSet renderer_features() {
   FeatureSet features;
-  for (const Feature feature :
-       {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast, Feature::kSamples2,
-        Feature::kSamples4, Feature::kSamples8, Feature::kSamples16, Feature::kSampleMask, Feature::kCentroid,
-        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBias,
-        Feature::kDepthBiasClamp, Feature::kDepthBounds, Feature::kDepthClamp, Feature::kDepthClipOff,
-        Feature::kNegativeOneToOne}) {
+  for (const Feature feature : {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast,
+                                Feature::kSamples2,       Feature::kSamples4,         Feature::kSamples8,
+                                Feature::kSamples16,      Feature::kSampleMask,       Feature::kCentroid,
+                                Feature::kSampleShading,  Feature::kDepthD16,         Feature::kDepthX8D24,
+                                Feature::kDepthBias,      Feature::kDepthBiasClamp,   Feature::kDepthBounds,
+                                Feature::kDepthClamp,     Feature::kDepthClipOff,     Feature::kNegativeOneToOne,
+                                Feature::kClipDistances,  Feature::kCullDistances}) {
     features.add(feature);
   }
   return features;
@@ -97,6 +98,8 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
                      .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
                      .vertex_offset = draw.vertex_offset,
                      .runs = runs},
+        .clip_distances = {.count = draw.clip_distance_count, .values = draw.clip_distances},
+        .cull_distances = {.count = draw.cull_distance_count, .values = draw.cull_distances},
         .state = draw.state,
         .depth = {planes.depth, target.depth_format},
     };
