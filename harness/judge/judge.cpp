@@ -22,11 +22,11 @@ struct Judged {
   RowJudge rows;
   const Possibilities* possible = nullptr;
 
-  Judged(const Case& test_case, const Party& judged, const exact::Expectation& expected, bool top_left)
+  Judged(const Case& test_case, const Party& judged, const exact::Expectation& expected, Replay::Rules rules)
       : party(judged),
         expectation(expected),
         values(test_case, expected),
-        replay(test_case, expected, values, judged.subpixel_bits, top_left),
+        replay(test_case, expected, values, judged.subpixel_bits, rules),
         judge(test_case, *judged.planes, expected, values),
         rows(test_case, *judged.planes, expected, values) {}
 };
@@ -276,13 +276,14 @@ class CaseJudge {
 
 CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings) {
   const exact::Expectation for_candidate(test_case, candidate.subpixel_bits);
-  Judged judged_candidate(test_case, candidate, for_candidate, settings.profile.top_left);
+  Judged judged_candidate(test_case, candidate, for_candidate,
+                          {.top_left = settings.profile.top_left, .diamond_exit = settings.profile.diamond_exit});
   if (reference == nullptr) return CaseJudge(test_case, judged_candidate, nullptr, settings).run();
   std::unique_ptr<exact::Expectation> for_reference;
   if (reference->subpixel_bits != candidate.subpixel_bits) {
     for_reference = std::make_unique<exact::Expectation>(test_case, reference->subpixel_bits);
   }
-  Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, false);
+  Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, {});
   return CaseJudge(test_case, judged_candidate, &judged_reference, settings).run();
 }
 

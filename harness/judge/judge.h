@@ -19,6 +19,8 @@ struct Party {
 struct Profile {
   // Ties follow the top-left rule, wherever the vertices lie exactly on the candidate's subpixel grid.
   bool top_left = false;
+  // Bresenham lines are what the diamond-exit rule makes of them, wherever their ends lie exactly on that grid.
+  bool diamond_exit = false;
   // Imprecise values are faults.
   bool precise = false;
   // Coverage, owner and hits are equal to the reference's wherever no primitive had to be clipped. Applies only to a

@@ -46,12 +46,12 @@ const exact::PieceValues& ValueCache::values(uint32_t piece) {
 }
 
 Replay::Replay(const Case& test_case, const exact::Expectation& expectation, ValueCache& values,
-               uint32_t subpixel_bits, bool top_left)
+               uint32_t subpixel_bits, Rules rules)
     : case_(test_case),
       expectation_(expectation),
       values_(values),
       subpixel_bits_(subpixel_bits),
-      top_left_(top_left),
+      rules_(rules),
       on_grid_(expectation.pieces().size(), 0) {}
 
 const Possibilities& Replay::at(size_t index) {
@@ -64,7 +64,7 @@ const Possibilities& Replay::at(size_t index) {
   const double x = static_cast<double>(index % case_.target.width) + 0.5;
   const size_t row = index / case_.target.width;
   const double y = static_cast<double>(row) + 0.5;
-  if (top_left_) resolve_ties(x, y);
+  if (rules_.top_left || rules_.diamond_exit) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
     possibilities_.in_doubt = possibilities_.in_doubt || entry.coverage == Coverage::kMay;
     possibilities_.undefined = possibilities_.undefined || expectation_.pieces()[entry.piece].shape->undefined();
@@ -115,7 +115,7 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
 
 void Replay::resolve_ties(double x, double y) {
   for (Entry& entry : entries_) {
-    if (entry.coverage == Coverage::kMust || !resolved_by_top_left(entry)) continue;
+    if (entry.coverage == Coverage::kMust || !resolved_on_grid(entry)) continue;
     // Nothing is rounded, so the facing is certain too.
     const Piece& piece = expectation_.pieces()[entry.piece];
     entry.coverage = !piece.culled && piece.shape->owns(x, y) ? Coverage::kMust : Coverage::kMustNot;
@@ -123,9 +123,13 @@ void Replay::resolve_ties(double x, double y) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
 }
 
-bool Replay::resolved_by_top_left(const Entry& entry) {
-  const exact::Shape& shape = *expectation_.pieces()[entry.piece].shape;
-  if ((entry.doubt & ~exact::kDoubtEdges) != 0 || shape.undefined() || !shape.inside_volume()) return false;
+bool Replay::resolved_on_grid(const Entry& entry) {
+  const Piece& piece = expectation_.pieces()[entry.piece];
+  const exact::Shape& shape = *piece.shape;
+  const bool is_bresenham = piece.kind == Piece::Kind::kBresenhamLine;
+  if (!(is_bresenham ? rules_.diamond_exit : rules_.top_left) || piece.open) return false;
+  const auto resolvable = is_bresenham ? exact::kDoubtShape : exact::kDoubtEdges;
+  if ((entry.doubt & ~resolvable) != 0 || shape.undefined() || !shape.inside_volume()) return false;
   uint8_t& known = on_grid_[entry.piece];
   if (known == 0) known = shape.on_grid(subpixel_bits_) ? 2 : 1;
   return known == 2;
@@ -134,7 +138,9 @@ bool Replay::resolved_by_top_left(const Entry& entry) {
 void Replay::land(const Entry& entry, bool must, double x, double y) {
   const Piece& piece = expectation_.pieces()[entry.piece];
   const RasterState& state = case_.draws[piece.draw].state;
-  const bool certain = entry.coverage == Coverage::kMust && has_values(piece);
+  // Wherever a Bresenham line has a fragment, its values are those of the place.
+  const bool is_bresenham = piece.kind == Piece::Kind::kBresenhamLine;
+  const bool certain = (entry.coverage == Coverage::kMust || is_bresenham) && has_values(piece);
   bool lands_always = must;
   bool lands_ever = false;
   before_.swap(possibilities_.outcomes);
@@ -145,7 +151,9 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
     const bool lands = result != DepthResult::kFails;
     lands_ever = lands_ever || lands;
     lands_always = lands_always && result == DepthResult::kPasses;
-    if (!must || result != DepthResult::kPasses) add_unique(possibilities_.outcomes, before);
+    // In which order a polygon's edges or corners are drawn is left open: the one before may have been the last.
+    const bool was_first = before.piece != kNoOwner && any_order(entry.piece, before.piece);
+    if (!must || result != DepthResult::kPasses || was_first) add_unique(possibilities_.outcomes, before);
     if (!lands) continue;
     Outcome after = before;
     after.owner = piece.owner;
@@ -169,6 +177,13 @@ exact::Expected Replay::depth_of(uint32_t piece, double x, double y) {
   return values_.values(piece).depth(x, y);
 }
 
+// Of two parts of one outline either may be drawn first.
+bool Replay::any_order(uint32_t piece, uint32_t stored) const {
+  if (stored == kNoOwner) return false;
+  const Piece& part = expectation_.pieces()[piece];
+  return part.of_polygon && part.owner == expectation_.pieces()[stored].owner;
+}
+
 Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x, double y) {
   const VkCompareOp op = case_.draws[expectation_.pieces()[piece].draw].state.depth_compare;
   if (op == VK_COMPARE_OP_ALWAYS) return DepthResult::kPasses;
@@ -176,6 +191,7 @@ Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x
   bool may_be_less = false;
   bool may_be_greater = false;
   bool may_be_equal = true;
+  if (any_order(piece, stored)) return DepthResult::kEither;
   if (stored == kNoOwner || !same_geometry(case_, expectation_.pieces()[piece], expectation_.pieces()[stored])) {
     const exact::Expected incoming = depth_of(piece, x, y);
     const exact::Expected present = depth_of(stored, x, y);

@@ -5,6 +5,9 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "harness/judge/line_rules.h"
+
 namespace fillrule::judge {
 namespace {
 
@@ -83,22 +86,30 @@ bool has_finite_values(const Piece& piece) {
 
 PartyJudge::PartyJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation,
                        ValueCache& values)
-    : case_(test_case), planes_(planes), expectation_(expectation), values_(values) {
+    : case_(test_case),
+      planes_(planes),
+      expectation_(expectation),
+      values_(values),
+      broken_(broken_line_rules(test_case, expectation, planes)) {
   for (const Varying& varying : test_case.varyings) {
     interpolation_.insert(interpolation_.end(), varying.components, varying.interpolation);
   }
 }
 
+bool PartyJudge::breaks_line_rule(size_t index) const {
+  return std::binary_search(broken_.begin(), broken_.end(), index);
+}
+
 Standing PartyJudge::coverage(const Possibilities& possible, size_t index) const {
   const bool covered = planes_.hits[index] != 0;
-  const bool right = covered ? possible.most_hits > 0 : possible.least_hits == 0;
+  const bool right = (covered ? possible.most_hits > 0 : possible.least_hits == 0) && !breaks_line_rule(index);
   const bool only_answer = possible.least_hits > 0 || possible.most_hits == 0;
   return integer_standing(right, only_answer, possible.least_hits > 0 ? 1 : 0);
 }
 
 Standing PartyJudge::hits(const Possibilities& possible, size_t index) const {
   const uint32_t hits = planes_.hits[index];
-  const bool right = hits >= possible.least_hits && hits <= possible.most_hits;
+  const bool right = hits >= possible.least_hits && hits <= possible.most_hits && !breaks_line_rule(index);
   return integer_standing(right, possible.least_hits == possible.most_hits, possible.least_hits);
 }
 

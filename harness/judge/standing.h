@@ -37,6 +37,7 @@ class PartyJudge {
     const size_t row = index / planes_.width;
     return static_cast<double>(row) + 0.5;
   }
+  [[nodiscard]] bool breaks_line_rule(size_t index) const;
   [[nodiscard]] Standing depth_of(const Outcome& outcome, size_t index) const;
   [[nodiscard]] Standing varying_of(const Outcome& outcome, size_t index, uint32_t component) const;
 
@@ -45,6 +46,7 @@ class PartyJudge {
   const exact::Expectation& expectation_;
   ValueCache& values_;
   std::vector<Interpolation> interpolation_;  // of each component
+  std::vector<size_t> broken_;                // where a rule for lines as a whole is broken (line_rules.h)
 };
 
 }  // namespace fillrule::judge

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "reference/exact/assembly.h"
+#include "reference/exact/clip_edges.h"
+#include "reference/exact/outline.h"
 #include "reference/exact/value_bound.h"
 
 namespace fillrule::exact {
@@ -71,6 +73,12 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
   const Latitude latitude = latitude_of(draw.state.viewport, subpixel_bits);
   const double snap = std::ldexp(1.0, -static_cast<int>(subpixel_bits));
   uint32_t owner = first_primitive;
+  if (draw.topology < VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST) {
+    for (Piece& piece : line_and_point_pieces(draw, draw_number, first_primitive, latitude)) {
+      add_piece(test_case, std::move(piece));
+    }
+    return;
+  }
   for (const AssembledTriangle& assembled : assemble(draw)) {
     const std::array<ClipPosition, 3> positions{draw.positions[assembled.vertices[0]],
                                                 draw.positions[assembled.vertices[1]],
@@ -87,7 +95,11 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
     piece.facing_in_doubt = triangle->orientation_in_doubt(latitude);
     piece.thin = triangle->thinner_than(snap);
     piece.shape = std::move(triangle);
-    add_piece(test_case, std::move(piece));
+    if (draw.state.polygon_mode == VK_POLYGON_MODE_FILL) {
+      add_piece(test_case, std::move(piece));
+      continue;
+    }
+    for (Piece& part : outline_of(draw, piece)) add_piece(test_case, std::move(part));
   }
 }
 
@@ -113,17 +125,18 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
       }
     }
   };
-  // A sample further inside than the latitude proves that rounding cannot turn the triangle over.
+  // A sample further inside than the latitude proves that rounding cannot turn a triangle over.
+  const bool is_triangle = piece.triangle() != nullptr;
   bool certain = false;
   if (!is_culled) {
     for_each_block([&](size_t sample, const Classification& classification) {
-      certain = certain || classification.coverage == Coverage::kMust;
+      certain = certain || (is_triangle && classification.coverage == Coverage::kMust);
       append(sample, classification, number);
     });
   } else {
     std::vector<Classified> open;
     for_each_block([&](size_t sample, const Classification& classification) {
-      certain = certain || classification.coverage == Coverage::kMust;
+      certain = certain || (is_triangle && classification.coverage == Coverage::kMust);
       open.push_back({.sample = sample, .classification = classification});
     });
     if (!certain) {
@@ -147,6 +160,7 @@ void Expectation::classify_block(const Piece& piece, const VkRect2D& block, uint
         classification = piece.shape->classify(x + 0.5, y + 0.5, piece.latitude, whole.undecided);
         if (classification.coverage == Coverage::kMustNot) continue;
       }
+      if (piece.open) classification = {.coverage = Coverage::kMay, .doubt = kDoubtShape};
       visit(size_t{y} * width + x, classification);
     }
   }
@@ -192,7 +206,12 @@ std::unique_ptr<PieceValues> values_of(const Case& test_case, const Piece& piece
   const auto value = [&](uint32_t vertex, uint32_t component) {
     return draw.varyings[size_t{vertex} * stride + component];
   };
-  auto values = std::make_unique<TriangleValues>(*piece.triangle(), piece.latitude);
+  const bool is_outline = piece.kind != Piece::Kind::kTriangle && piece.kind != Piece::Kind::kClipEdges;
+  if (is_outline) return outline_values(test_case, piece);
+  const Triangle& triangle = piece.kind == Piece::Kind::kTriangle
+                                 ? *piece.triangle()
+                                 : static_cast<const ClipEdges&>(*piece.shape).polygon();
+  auto values = std::make_unique<TriangleValues>(triangle, piece.latitude);
   uint32_t component = 0;
   for (const Varying& varying : test_case.varyings) {
     if (varying.source != VaryingSource::kVertices) continue;

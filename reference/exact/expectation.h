@@ -16,7 +16,7 @@ namespace fillrule::exact {
 // What is rasterized on its own: a triangle, a line or a point, or an edge or a corner of a polygon that is drawn as
 // lines or points. The pieces of a polygon have one owner.
 struct Piece {
-  enum class Kind : uint8_t { kTriangle };
+  enum class Kind : uint8_t { kTriangle, kLine, kBresenhamLine, kPoint, kClipEdges };
 
   uint32_t owner = 0;  // the primitive, counted over all draws of the case: what the planes show
   uint32_t draw = 0;   // index into Case::draws
@@ -29,6 +29,8 @@ struct Piece {
   bool facing_in_doubt = false;  // rounding may turn it over
   bool culled = false;           // if rounding does not turn it over
   bool thin = false;             // its values are undefined ground
+  bool open = false;             // whether it is drawn at all is left open: it must not cover anything, but may
+  bool of_polygon = false;       // an edge or a corner: in which order a polygon's are drawn is left open
 
   // The shape of a triangle; null for any other kind.
   [[nodiscard]] const Triangle* triangle() const {

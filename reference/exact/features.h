@@ -6,7 +6,12 @@
 namespace fillrule::exact {
 
 inline FeatureSet oracle_features() {
-  return {};
+  FeatureSet set;
+  for (const Feature feature : {Feature::kPoints, Feature::kLargePoints, Feature::kLines, Feature::kBresenhamLines,
+                                Feature::kWideLines, Feature::kFillModeNonSolid}) {
+    set.add(feature);
+  }
+  return set;
 }
 
 }  // namespace fillrule::exact

@@ -10,8 +10,16 @@ namespace fillrule::exact {
 
 enum class Coverage : uint8_t { kMustNot, kMay, kMust };
 
-// Which boundaries of a primitive leave a sample in doubt. Bits 0 to 2: the edge opposite of vertex 0, 1, 2.
-enum DoubtBits : uint8_t { kDoubtEdge0 = 1, kDoubtEdges = 7, kDoubtNear = 8, kDoubtFar = 16, kDoubtViewport = 32 };
+// Which boundaries of a primitive leave a sample in doubt. Bits 0 to 2: the edge opposite of vertex 0, 1, 2. Lines
+// and points do not tell theirs apart: kDoubtShape.
+enum DoubtBits : uint8_t {
+  kDoubtEdge0 = 1,
+  kDoubtEdges = 7,
+  kDoubtNear = 8,
+  kDoubtFar = 16,
+  kDoubtViewport = 32,
+  kDoubtShape = 128,
+};
 
 struct Classification {
   Coverage coverage = Coverage::kMustNot;

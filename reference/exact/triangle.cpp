@@ -4,13 +4,11 @@
 #include <cfloat>
 #include <cmath>
 
+#include "reference/exact/clip_position.h"
 #include "reference/exact/rational_triangle.h"
 
 namespace fillrule::exact {
 namespace {
-
-// Above this, sums and differences of coordinates leave float32.
-constexpr float kLargestCoordinate = FLT_MAX / 16;
 
 bool all_of_vertices(const std::array<ClipPosition, 3>& vertices, auto predicate) {
   return std::all_of(vertices.begin(), vertices.end(), predicate);
@@ -18,24 +16,6 @@ bool all_of_vertices(const std::array<ClipPosition, 3>& vertices, auto predicate
 
 bool any_of_vertices(const std::array<ClipPosition, 3>& vertices, auto predicate) {
   return std::any_of(vertices.begin(), vertices.end(), predicate);
-}
-
-bool coordinates_leave_float32(const ClipPosition& p, const VkViewport& viewport) {
-  for (const float coordinate : p) {
-    if (!std::isfinite(coordinate) || std::abs(coordinate) > kLargestCoordinate) return true;
-  }
-  const double w = std::abs(double{p[3]});
-  if (w == 0) return p[0] == 0 && p[1] == 0 && p[2] == 0;  // the apex of the view volume projects to 0 / 0
-  if (w < double{FLT_MIN}) return true;                    // denormal: 1 / w overflows, or w is flushed to zero
-  return std::abs(double{p[0]}) * double{viewport.width} > w * double{FLT_MAX} ||
-         std::abs(double{p[1]} * double{viewport.height}) > w * double{FLT_MAX} ||
-         std::abs(double{p[2]}) > w * double{FLT_MAX};
-}
-
-// Vulkan lets denormals be flushed to zero, which moves such a triangle onto the near plane, where it is drawn.
-bool near_plane_by_flushing(const std::array<ClipPosition, 3>& vertices) {
-  return all_of_vertices(vertices, [](const ClipPosition& p) { return p[2] <= 0 && p[2] > -FLT_MIN; }) &&
-         any_of_vertices(vertices, [](const ClipPosition& p) { return p[2] < 0; });
 }
 
 bool inside_view_volume(const ClipPosition& p) {
