@@ -137,7 +137,8 @@ class CaseJudge {
       for (PlaneVerdict& plane : verdict.planes) plane.map.assign(verdict.samples, Verdict::kIdentical);
     }
     for (size_t begin = 0; begin < verdict.samples;) {
-      const size_t row_end = begin - begin % planes.width + planes.width;
+      const size_t row = size_t{planes.width} * planes.samples;
+      const size_t row_end = begin - begin % row + row;
       const size_t end = end_of_run(begin, row_end);
       judge_run(verdict, begin, end);
       begin = end;
@@ -221,8 +222,10 @@ class CaseJudge {
     const PlaneValue candidate_value = value_of(*candidate_.party.planes, kind, component, index);
     Standing candidate = standing_of(candidate_, kind, component, index);
     if (settings_.profile.precise && candidate.level == Class::kImprecise) candidate.level = Class::kOutside;
-    SampleRecord sample{.x = static_cast<uint32_t>(index % case_.target.width),
-                        .y = static_cast<uint32_t>(index / case_.target.width),
+    const exact::SamplePlace place = exact::sample_place(case_.target, index);
+    SampleRecord sample{.x = place.x,
+                        .y = place.y,
+                        .sample = place.sample,
                         .candidate = candidate_value.number,
                         .expected = candidate.expected,
                         .tolerance = candidate.tolerance,
@@ -259,7 +262,9 @@ class CaseJudge {
       const RasterState& state = case_.draws[piece.draw].state;
       // Where rounding may turn a primitive over, culling may go either way, as facing may be found before or after.
       if (piece.facing_in_doubt && state.cull_mode != VK_CULL_MODE_NONE) return false;
-      if (state.depth_test && candidate_.possible->least_hits != candidate_.possible->most_hits) return false;
+      if ((state.depth_test || state.depth_bounds) &&
+          candidate_.possible->least_hits != candidate_.possible->most_hits)
+        return false;
     }
     return true;
   }

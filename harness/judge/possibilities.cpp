@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "harness/judge/stored_depth.h"
 #include "harness/judge/watertight.h"
 
 namespace fillrule::judge {
@@ -31,9 +32,13 @@ bool has_values(const Piece& piece) {
 // Drawn from the same bits with the same state, two triangles have the same depth to the bit.
 bool same_geometry(const Case& test_case, const Piece& a, const Piece& b) {
   if (a.triangle() == nullptr || b.triangle() == nullptr) return false;
-  const VkViewport& va = test_case.draws[a.draw].state.viewport;
-  const VkViewport& vb = test_case.draws[b.draw].state.viewport;
-  return a.triangle()->vertices() == b.triangle()->vertices() && va.x == vb.x && va.y == vb.y &&
+  const RasterState& sa = test_case.draws[a.draw].state;
+  const RasterState& sb = test_case.draws[b.draw].state;
+  const VkViewport& va = sa.viewport;
+  const VkViewport& vb = sb.viewport;
+  const bool same_state = sa.depth_bias == sb.depth_bias && sa.depth_clamp == sb.depth_clamp &&
+                          sa.negative_one_to_one == sb.negative_one_to_one;
+  return same_state && a.triangle()->vertices() == b.triangle()->vertices() && va.x == vb.x && va.y == vb.y &&
          va.width == vb.width && va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
 }
 
@@ -61,9 +66,7 @@ const Possibilities& Replay::at(size_t index) {
   possibilities_.undefined = false;
   possibilities_.outcomes.assign(1, Outcome{.owner_certain = true, .depth_certain = true});
   expectation_.collect(index, entries_);
-  const double x = static_cast<double>(index % case_.target.width) + 0.5;
-  const size_t row = index / case_.target.width;
-  const double y = static_cast<double>(row) + 0.5;
+  const auto [x, y] = exact::sample_place(case_.target, index).position;
   if (rules_.top_left || rules_.diamond_exit) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
     possibilities_.in_doubt = possibilities_.in_doubt || entry.coverage == Coverage::kMay;
@@ -146,8 +149,7 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   before_.swap(possibilities_.outcomes);
   possibilities_.outcomes.clear();
   for (const Outcome& before : before_) {
-    const DepthResult result =
-        state.depth_test ? depth_test(entry.piece, before.depth_writer, x, y) : DepthResult::kPasses;
+    const DepthResult result = tests(entry.piece, before.depth_writer, x, y);
     const bool lands = result != DepthResult::kFails;
     lands_ever = lands_ever || lands;
     lands_always = lands_always && result == DepthResult::kPasses;
@@ -159,7 +161,7 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
     after.owner = piece.owner;
     after.piece = entry.piece;
     after.owner_certain = certain;
-    if (state.depth_test && state.depth_write) {
+    if (state.depth_test && state.depth_write && case_.target.depth_format != VK_FORMAT_UNDEFINED) {
       after.depth_writer = entry.piece;
       after.depth_certain = certain;
     }
@@ -169,12 +171,38 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   possibilities_.most_hits += lands_ever ? 1 : 0;
 }
 
-exact::Expected Replay::depth_of(uint32_t piece, double x, double y) {
-  if (piece == kNoOwner) return {.value = double{case_.target.clear_depth}, .tolerance = 0};
+// What may be stored for the piece, or, for none, what the target was cleared to.
+exact::DepthRange Replay::depth_of(uint32_t piece, double x, double y) {
+  const VkFormat format = case_.target.depth_format;
+  if (piece == kNoOwner) return exact::stored_clear(format, case_.target.clear_depth, false);
   if (!has_values(expectation_.pieces()[piece])) {
-    return {.value = 0, .tolerance = std::numeric_limits<double>::infinity()};
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {.low = -kInfinity, .high = kInfinity};
   }
-  return values_.values(piece).depth(x, y);
+  const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
+  return range_in(format, state, values_.values(piece).depth(x, y));
+}
+
+// What is stored has to be within the bounds; a fixed-point format may round them too.
+Replay::DepthResult Replay::bounds_test(const DepthBounds& bounds, uint32_t stored, double x, double y) {
+  const exact::DepthRange present = depth_of(stored, x, y);
+  const double step = 2 * exact::half_step(case_.target.depth_format);
+  const double min{bounds.min};
+  const double max{bounds.max};
+  if (present.low >= min + step && present.high <= max - step) return DepthResult::kPasses;
+  if (present.high < min - step || present.low > max + step) return DepthResult::kFails;
+  return DepthResult::kEither;
+}
+
+Replay::DepthResult Replay::tests(uint32_t piece, uint32_t stored, double x, double y) {
+  // Without a depth attachment both tests pass.
+  if (case_.target.depth_format == VK_FORMAT_UNDEFINED) return DepthResult::kPasses;
+  const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
+  DepthResult result = DepthResult::kPasses;
+  if (state.depth_bounds) result = bounds_test(*state.depth_bounds, stored, x, y);
+  if (!state.depth_test || result == DepthResult::kFails) return result;
+  const DepthResult by_depth = depth_test(piece, stored, x, y);
+  return by_depth == DepthResult::kPasses ? result : by_depth;
 }
 
 // Of two parts of one outline either may be drawn first.
@@ -193,13 +221,11 @@ Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x
   bool may_be_equal = true;
   if (any_order(piece, stored)) return DepthResult::kEither;
   if (stored == kNoOwner || !same_geometry(case_, expectation_.pieces()[piece], expectation_.pieces()[stored])) {
-    const exact::Expected incoming = depth_of(piece, x, y);
-    const exact::Expected present = depth_of(stored, x, y);
-    const double gap = incoming.value - present.value;
-    const double tolerance = incoming.tolerance + present.tolerance;
-    may_be_less = gap < tolerance;
-    may_be_greater = gap > -tolerance;
-    may_be_equal = std::abs(gap) <= tolerance;
+    const exact::DepthRange incoming = depth_of(piece, x, y);
+    const exact::DepthRange present = depth_of(stored, x, y);
+    may_be_less = incoming.low < present.high;
+    may_be_greater = incoming.high > present.low;
+    may_be_equal = incoming.low <= present.high && incoming.high >= present.low;
   }
   const auto bit = static_cast<uint32_t>(op);  // less 1, equal 2, greater 4: VkCompareOp is made of them
   const bool passes_ever =

@@ -74,7 +74,10 @@ class Replay {
   [[nodiscard]] bool any_order(uint32_t piece, uint32_t stored) const;
   [[nodiscard]] DepthResult depth_test(uint32_t piece, uint32_t stored, double x, double y);
   [[nodiscard]] bool resolved_on_grid(const exact::Entry& entry);
-  [[nodiscard]] exact::Expected depth_of(uint32_t piece, double x, double y);
+  [[nodiscard]] DepthResult bounds_test(const DepthBounds& bounds, uint32_t stored, double x, double y);
+  // The depth test and the depth bounds test.
+  [[nodiscard]] DepthResult tests(uint32_t piece, uint32_t stored, double x, double y);
+  [[nodiscard]] exact::DepthRange depth_of(uint32_t piece, double x, double y);
 
   const Case& case_;
   const exact::Expectation& expectation_;

@@ -164,7 +164,7 @@ bool BresenhamLine::near_fragment(bool x_major, double x, double y, const Latitu
   return false;
 }
 
-Classification BresenhamLine::classify(double x, double y, const Latitude& latitude, uint8_t /*undecided*/) const {
+Classification BresenhamLine::classify(double x, double y, const Latitude& latitude, DoubtBits /*undecided*/) const {
   constexpr Classification kMaybe{.coverage = Coverage::kMay, .doubt = kDoubtShape};
   const double column = std::floor(x) + 0.5;
   const double row = std::floor(y) + 0.5;

@@ -28,7 +28,7 @@ class BresenhamLine final : public Shape {
   // kMay within one pixel of a fragment that the diamond-exit rule makes, for some rounding of the ends; else
   // kMustNot. What holds for the centre of a pixel holds for all its samples. Doubt is kDoubtShape.
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
-                                        uint8_t undecided = kEveryBoundary) const override;
+                                        DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
   [[nodiscard]] bool undefined() const override { return segment_.undefined() || undefined_width_; }
   [[nodiscard]] bool inside_volume() const override { return segment_.inside_volume(); }

@@ -3,7 +3,7 @@
 namespace fillrule::exact {
 
 // What is within the reach of a boundary is what a latitude as large as the reach leaves in doubt.
-Classification ClipEdges::classify(double x, double y, const Latitude& latitude, uint8_t /*undecided*/) const {
+Classification ClipEdges::classify(double x, double y, const Latitude& latitude, DoubtBits /*undecided*/) const {
   const Classification filled = polygon_.classify(x, y, grown(latitude));
   const bool near_plane = filled.coverage == Coverage::kMay && (filled.doubt & ~kDoubtEdges) != 0;
   return near_plane ? Classification{.coverage = Coverage::kMay, .doubt = kDoubtShape} : Classification{};

@@ -16,7 +16,7 @@ class ClipEdges final : public Shape {
   [[nodiscard]] bool undefined() const override { return polygon_.undefined(); }
   [[nodiscard]] bool inside_volume() const override { return false; }
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
-                                        uint8_t undecided = kEveryBoundary) const override;
+                                        DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
   [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;
   [[nodiscard]] bool owns(double /*x*/, double /*y*/) const override { return false; }

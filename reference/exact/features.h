@@ -6,12 +6,7 @@
 namespace fillrule::exact {
 
 inline FeatureSet oracle_features() {
-  FeatureSet set;
-  for (const Feature feature : {Feature::kPoints, Feature::kLargePoints, Feature::kLines, Feature::kBresenhamLines,
-                                Feature::kWideLines, Feature::kFillModeNonSolid}) {
-    set.add(feature);
-  }
-  return set;
+  return FeatureSet::all();
 }
 
 }  // namespace fillrule::exact

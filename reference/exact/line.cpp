@@ -79,9 +79,9 @@ Coverage Line::classify_point(double dx, double dy, const Latitude& latitude, co
   return far ? Coverage::kMustNot : Coverage::kMay;
 }
 
-Classification Line::classify(double x, double y, const Latitude& latitude, uint8_t /*undecided*/) const {
+Classification Line::classify(double x, double y, const Latitude& latitude, DoubtBits /*undecided*/) const {
   const auto answer = [](Coverage coverage) {
-    const uint8_t doubt = coverage == Coverage::kMay ? kDoubtShape : 0;
+    const DoubtBits doubt = coverage == Coverage::kMay ? kDoubtShape : 0;
     return Classification{.coverage = coverage, .doubt = doubt};
   };
   const Coverage viewport = classify_viewport(segment_.viewport(), x, y, latitude);

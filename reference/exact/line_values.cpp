@@ -8,7 +8,6 @@
 namespace fillrule::exact {
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-24;
 // README.md, "Lines": roundings of a vertex's value, of a coordinate, and of t.
 constexpr double kValueRoundings = 2;
 constexpr double kPositionRoundings = 4;
@@ -25,10 +24,6 @@ Expected nearest(float value, double a, double b, double tolerance) {
   const double high = std::max(a, b);
   if (!std::isnan(value)) return {.value = std::clamp(double{value}, low, high), .tolerance = tolerance};
   return {.value = low + (high - low) / 2, .tolerance = tolerance + (high - low) / 2};
-}
-
-double clamp_depth(double depth) {
-  return std::clamp(depth, 0.0, 1.0);
 }
 
 }  // namespace
@@ -187,13 +182,21 @@ LineValues::Judgement LineValues::varying(uint32_t number, float value, double x
 }
 
 Expected LineValues::depth_for(float value, double x, double y) const {
-  Expected expected = linear(depth_, value, x, y).expected;
-  expected.value = clamp_depth(expected.value);
+  const auto unbiased = static_cast<float>(double{value} - bias_.middle());
+  Expected expected = linear(depth_, unbiased, x, y).expected;
+  expected.value += bias_.middle();
+  // The bias, and what adding it rounds.
+  expected.tolerance += bias_.tolerance + kUnitRoundoff * (std::abs(expected.value) + std::abs(bias_.middle()));
+  expected.spread = bias_.spread();
   return expected;
 }
 
 Expected LineValues::depth(double x, double y) const {
   return depth_for(kAnyValue, x, y);
+}
+
+Expected LineValues::reciprocal_w(double x, double y) const {
+  return linear(reciprocal_w_, kAnyValue, x, y).expected;
 }
 
 Tolerance LineValues::depth_tolerance(double x, double y) const {

@@ -58,6 +58,9 @@ class LineValues final : public PieceValues {
   enum class Rule : uint8_t { kProjected, kBresenham, kWideBresenham };
   LineValues(const Segment& segment, const Latitude& latitude, Rule rule);
 
+  // Adds the bias of the polygon that the line is an edge of to all depths.
+  void set_depth_bias(const BiasRange& bias) { bias_ = bias; }
+
   void add_component(Interpolation interpolation, const std::array<float, 2>& values, float provoking);
 
   // Where several values are right the nearest of them, or, if none is given, their middle with all of them within
@@ -69,6 +72,12 @@ class LineValues final : public PieceValues {
   // the same terms is a part.
   [[nodiscard]] double depth_error(double x, double y) const override { return kDoubleError * depth(x, y).tolerance; }
   [[nodiscard]] double exact_depth(double x, double y) const override { return depth(x, y).value; }
+
+  [[nodiscard]] Expected reciprocal_w(double x, double y) const override;
+  [[nodiscard]] double reciprocal_w_error(double x, double y) const override {
+    return kDoubleError * reciprocal_w(x, y).tolerance;
+  }
+  [[nodiscard]] double exact_reciprocal_w(double x, double y) const override { return reciprocal_w(x, y).value; }
 
   [[nodiscard]] float provoking(uint32_t component) const override { return components_[component].provoking; }
   [[nodiscard]] bool judged(uint32_t component) const override { return components_[component].judged; }
@@ -100,6 +109,7 @@ class LineValues final : public PieceValues {
   SegmentMoves moves_;
   LineQuantity depth_;
   LineQuantity reciprocal_w_;
+  BiasRange bias_;
   std::array<LineQuantity, 2> share_;  // of either end in the window
   std::vector<Component> components_;
 };

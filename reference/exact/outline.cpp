@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
+#include "reference/exact/assembly.h"
 #include "reference/exact/bresenham.h"
 #include "reference/exact/clip_edges.h"
 #include "reference/exact/line.h"
@@ -22,26 +24,6 @@ std::span<const float> clip_distances_of(const Draw& draw, uint32_t vertex) {
 
 float point_size_of(const Draw& draw, uint32_t vertex) {
   return draw.point_sizes.empty() ? 1 : draw.point_sizes[vertex];
-}
-
-// "Cull distances": a primitive is dropped if one of them is negative at all its vertices.
-bool dropped_by_cull_distance(const Draw& draw, std::span<const uint32_t> vertices) {
-  for (size_t i = 0; i < draw.cull_distance_count; ++i) {
-    const bool all_negative = std::all_of(vertices.begin(), vertices.end(), [&](uint32_t vertex) {
-      return draw.cull_distances[size_t{vertex} * draw.cull_distance_count + i] < 0;
-    });
-    if (all_negative) return true;
-  }
-  return false;
-}
-
-// NaN is neither negative nor not: then the primitive may be dropped.
-bool has_nan_cull_distance(const Draw& draw, std::span<const uint32_t> vertices) {
-  return std::any_of(vertices.begin(), vertices.end(), [&](uint32_t vertex) {
-    const auto distances =
-        std::span(draw.cull_distances).subspan(size_t{vertex} * draw.cull_distance_count, draw.cull_distance_count);
-    return std::any_of(distances.begin(), distances.end(), [](float d) { return std::isnan(d); });
-  });
 }
 
 void make_line(Piece& piece, const Draw& draw, uint32_t a, uint32_t b) {
@@ -84,6 +66,7 @@ Piece part_of(const Piece& polygon) {
   part.facing_in_doubt = polygon.facing_in_doubt;
   part.culled = polygon.culled;
   part.of_polygon = true;
+  part.polygon = polygon.vertices;
   return part;
 }
 
@@ -98,14 +81,23 @@ double outline_reach(const Draw& draw, const Piece& polygon) {
   return std::min(most, double{kMaxTargetSize}) / 2;
 }
 
+// Edges and corners have the bias of their polygon.
+BiasRange polygon_bias(const Case& test_case, const Piece& part) {
+  const Draw& draw = test_case.draws[part.draw];
+  const Triangle polygon = triangle_of(draw, part.polygon);
+  if (polygon.undefined() || polygon.orientation() == 0) {
+    return {.tolerance = std::numeric_limits<double>::infinity()};
+  }
+  TriangleValues values(polygon, part.latitude);
+  values.set_depth_bias(*draw.state.depth_bias, test_case.target.depth_format);
+  return values.depth_bias();
+}
+
 }  // namespace
 
 std::vector<Piece> line_and_point_pieces(const Draw& draw, uint32_t draw_number, uint32_t first_primitive,
                                          const Latitude& latitude) {
-  const auto vertex = [&draw](uint32_t element) {
-    if (!draw.indices) return element;
-    return static_cast<uint32_t>(int64_t{(*draw.indices)[element]} + draw.vertex_offset);
-  };
+  const auto vertex = [&draw](uint32_t element) { return vertex_of_element(draw, element); };
   const bool is_point = draw.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
   const uint32_t step = draw.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST ? 2 : 1;
   const bool last_provokes = draw.state.provoking_vertex == VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
@@ -121,8 +113,9 @@ std::vector<Piece> line_and_point_pieces(const Draw& draw, uint32_t draw_number,
       piece.provoking = last_provokes ? b : a;
       piece.latitude = latitude;
       piece.front_facing = true;
-      piece.culled = dropped_by_cull_distance(draw, ends);
-      piece.open = has_nan_cull_distance(draw, ends);
+      const CullDistances distances = cull_distances_of(draw, ends);
+      piece.culled = distances == CullDistances::kDrop;
+      piece.open = distances == CullDistances::kEither;
       if (is_point) {
         make_point(piece, draw, a, point_size_range(point_size_of(draw, a)));
       } else {
@@ -180,6 +173,11 @@ std::unique_ptr<PieceValues> outline_values(const Case& test_case, const Piece& 
     line = std::make_unique<LineValues>(
         shape.segment(), piece.latitude,
         shape.width() > 1 ? LineValues::Rule::kWideBresenham : LineValues::Rule::kBresenham);
+  }
+  if (piece.of_polygon && draw.state.depth_bias) {
+    const BiasRange bias = polygon_bias(test_case, piece);
+    if (point) point->set_depth_bias(bias);
+    if (line) line->set_depth_bias(bias);
   }
   uint32_t component = 0;
   for (const Varying& varying : test_case.varyings) {

@@ -40,7 +40,7 @@ Point::Point(const ClipPosition& vertex, const SizeRange& size, std::span<const 
   y_ = double{viewport_.y} + double{viewport_.height} / 2 * (1 + double{vertex[1]} / w);
 }
 
-Classification Point::classify(double x, double y, const Latitude& latitude, uint8_t /*undecided*/) const {
+Classification Point::classify(double x, double y, const Latitude& latitude, DoubtBits /*undecided*/) const {
   constexpr Classification kMaybe{.coverage = Coverage::kMay, .doubt = kDoubtShape};
   if (!visible_) return {};
   const Coverage viewport = classify_viewport(viewport_, x, y, latitude);

@@ -22,7 +22,7 @@ class Point final : public Shape {
   // False if the vertex is outside of the clip volume: nothing is drawn then.
   [[nodiscard]] bool inside_volume() const override { return !undefined_ && visible_; }
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
-                                        uint8_t undecided = kEveryBoundary) const override;
+                                        DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
   [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;
   // Which sides of the square include a sample that they touch, no rule says.

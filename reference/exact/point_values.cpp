@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "reference/exact/window_linear.h"
+
 namespace fillrule::exact {
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-24;
 // README.md, "Points": 1/w, its product with the value, and twice to get back or to scale to the depth range.
 constexpr double kValueRoundings = 4;
 constexpr double kPositionRoundings = 4;
@@ -26,7 +27,14 @@ PointValues::PointValues(const Point& point, const Latitude& latitude, bool nega
 }
 
 Expected PointValues::depth(double x, double y) const {
-  return {.value = std::clamp(depth_, 0.0, 1.0), .tolerance = depth_tolerance(x, y).total()};
+  return {.value = depth_ + bias_.middle(),
+          .tolerance = depth_tolerance(x, y).total() + bias_.tolerance,
+          .spread = bias_.spread()};
+}
+
+Expected PointValues::reciprocal_w(double /*x*/, double /*y*/) const {
+  const double value = 1 / double{point_.vertex()[3]};
+  return {.value = value, .tolerance = kValueRoundings * kUnitRoundoff * value + kFlushed};
 }
 
 Tolerance PointValues::depth_tolerance(double /*x*/, double /*y*/) const {

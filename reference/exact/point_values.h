@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "reference/exact/depth_bias.h"
 #include "reference/exact/latitude.h"
 #include "reference/exact/piece_values.h"
 #include "reference/exact/point.h"
@@ -14,6 +15,9 @@ class PointValues final : public PieceValues {
  public:
   PointValues(const Point& point, const Latitude& latitude, bool negative_one_to_one);
 
+  // Adds the bias of the polygon that the point is a corner of to all depths.
+  void set_depth_bias(const BiasRange& bias) { bias_ = bias; }
+
   void add_component(float value) { components_.push_back(value); }
 
   [[nodiscard]] Expected depth(double x, double y) const override;
@@ -22,6 +26,12 @@ class PointValues final : public PieceValues {
   // What is exact to a few roundings of double is exact enough: the tolerance is as many of float32.
   [[nodiscard]] double depth_error(double x, double y) const override { return kDoubleError * depth(x, y).tolerance; }
   [[nodiscard]] double exact_depth(double x, double y) const override { return depth(x, y).value; }
+
+  [[nodiscard]] Expected reciprocal_w(double x, double y) const override;
+  [[nodiscard]] double reciprocal_w_error(double x, double y) const override {
+    return kDoubleError * reciprocal_w(x, y).tolerance;
+  }
+  [[nodiscard]] double exact_reciprocal_w(double x, double y) const override { return reciprocal_w(x, y).value; }
 
   [[nodiscard]] float provoking(uint32_t component) const override { return components_[component]; }
   [[nodiscard]] bool judged(uint32_t component) const override;
@@ -40,6 +50,7 @@ class PointValues final : public PieceValues {
   Point point_;
   Latitude latitude_;
   double depth_ = 0;
+  BiasRange bias_;
   double depth_magnitude_ = 0;  // of what is added up to the depth
   std::vector<float> components_;
 };
