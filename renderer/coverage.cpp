@@ -101,7 +101,8 @@ uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
   const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
     const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
     const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
-    return uint64_t{(1U << high) - 1U} & ~uint64_t{(1U << low) - 1U};
+    const uint64_t mask = ((1U << high) - 1U) & ~((1U << low) - 1U);
+    return mask;
   };
   constexpr uint64_t kFirstColumn = 0x0101010101010101U;
   const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
