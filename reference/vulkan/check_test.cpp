@@ -169,6 +169,10 @@ TEST(CheckCase, NamesWhatVerticesLack) {
               draw.cull_distances.resize(12);
             }),
             "clip_distances: 5 and 4 cull distances are together more than 8");
+  EXPECT_EQ(able_error_after([](Case& c, Draw&) {
+              c.varyings.push_back({.name = "at", .components = 3, .source = VaryingSource::kFragCoord});
+            }),
+            "varyings: the built-in of at has 4 components, not 3");
   // Built-ins have no values in the vertices.
   EXPECT_EQ(able_error_after([](Case& c, Draw&) {
               c.varyings.push_back({.name = "at", .components = 4, .source = VaryingSource::kFragCoord});

@@ -8,9 +8,6 @@
 namespace fillrule::vulkan {
 namespace {
 
-using testing::ElementsAre;
-using testing::Pair;
-
 class Shapes : public OnEachDriver {};
 INSTANTIATE_TEST_SUITE_P(Drivers, Shapes, testing::ValuesIn(kDrivers));
 
