@@ -43,14 +43,18 @@ struct PixelWeights {
   VertexWeights noperspective;
 };
 
-// The value with these weights, rounded to float32 once. Never infinite for finite values.
-inline float interpolate(float value0, float value1, float value2, const VertexWeights& weights) {
-  const double value = weights[0] * double{value0} + weights[1] * double{value1} + weights[2] * double{value2};
+// To float32; never infinite for a finite value.
+inline float finite_float(double value) {
   const auto rounded = static_cast<float>(value);
   if (std::isinf(rounded) && std::isfinite(value)) {
     return std::copysign(std::numeric_limits<float>::max(), rounded);
   }
   return rounded;
+}
+
+// The value with these weights, rounded to float32 once. Never infinite for finite values.
+inline float interpolate(float value0, float value1, float value2, const VertexWeights& weights) {
+  return finite_float(weights[0] * double{value0} + weights[1] * double{value1} + weights[2] * double{value2});
 }
 
 struct PrimitiveInterpolation {
@@ -63,6 +67,14 @@ struct PrimitiveInterpolation {
   // All of these: at so much from the centre of the pixel (x, y).
   [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
     return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
+  }
+
+  // Not positive beyond the horizon.
+  [[nodiscard]] double reciprocal_w_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    const double x_from_anchor = x - anchor_x + from_centre.x;
+    const double y_from_anchor = y - anchor_y + from_centre.y;
+    return per_w[0].at(x_from_anchor, y_from_anchor) + per_w[1].at(x_from_anchor, y_from_anchor) +
+           per_w[2].at(x_from_anchor, y_from_anchor);
   }
 
   [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {

@@ -36,6 +36,13 @@ struct Fragment {
   [[nodiscard]] PixelWeights weights(const WindowOffset& from_centre = {}) const {
     return interpolation.weights_at(x, y, from_centre);
   }
+
+  // gl_FragCoord: framebuffer x and y, the depth with its bias but neither clamped nor quantised, and 1/w.
+  [[nodiscard]] std::array<float, 4> frag_coord() const {
+    return {static_cast<float>(x + 0.5 + position.x), static_cast<float>(y + 0.5 + position.y),
+            finite_float(interpolation.depth_at(x, y, position)),
+            finite_float(interpolation.reciprocal_w_at(x, y, position))};
+  }
 };
 
 template <typename P>

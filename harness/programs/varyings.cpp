@@ -21,10 +21,16 @@ Result<void> check_varyings(const Case& drawn_case) {
     return failure(fmt::format("{} components of varyings", components),
                    fmt::format("at most {}", kMaxVaryings * kMaxVaryingComponents));
   }
+  for (const Varying& varying : drawn_case.varyings) {
+    if (varying.source == VaryingSource::kFragCoord && varying.components > 4) {
+      return failure(fmt::format("{} components of gl_FragCoord", varying.components), "4");
+    }
+  }
+  const uint32_t vertex_components = vertex_component_count(drawn_case.varyings);
   for (const Draw& draw : drawn_case.draws) {
-    if (draw.varyings.size() != draw.positions.size() * components) {
+    if (draw.varyings.size() != draw.positions.size() * vertex_components) {
       return failure(fmt::format("{} values of varyings for {} vertices of {} components", draw.varyings.size(),
-                                 draw.positions.size(), components));
+                                 draw.positions.size(), vertex_components));
     }
   }
   return {};
@@ -44,9 +50,14 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
   for (const Varying& varying : varyings) {
     has_centroid_ = has_centroid_ || varying.sampling == Sampling::kCentroid;
     has_sample_ = has_sample_ || varying.sampling == Sampling::kSample;
+    has_frag_coord_ = has_frag_coord_ || varying.source == VaryingSource::kFragCoord;
+    const bool is_of_vertices = varying.source == VaryingSource::kVertices;
     for (uint32_t i = 0; i < varying.components; ++i) {
-      components_[component_count_] = {planes.varyings[component_count_].data(), varying.interpolation,
-                                       varying.sampling};
+      components_[component_count_] = {.plane = planes.varyings[component_count_].data(),
+                                       .interpolation = varying.interpolation,
+                                       .sampling = varying.sampling,
+                                       .source = varying.source,
+                                       .index = is_of_vertices ? vertex_component_count_++ : i};
       ++component_count_;
     }
   }
@@ -60,7 +71,7 @@ FeatureSet renderer_features() {
                                 Feature::kSampleShading,  Feature::kDepthD16,         Feature::kDepthX8D24,
                                 Feature::kDepthBias,      Feature::kDepthBiasClamp,   Feature::kDepthBounds,
                                 Feature::kDepthClamp,     Feature::kDepthClipOff,     Feature::kNegativeOneToOne,
-                                Feature::kClipDistances,  Feature::kCullDistances}) {
+                                Feature::kClipDistances,  Feature::kCullDistances,    Feature::kFragCoord}) {
     features.add(feature);
   }
   return features;

@@ -117,6 +117,35 @@ TEST(DrawCase, RestartOffsetAndProvokingVertex) {
   EXPECT_THAT(ids(VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT), ::testing::ElementsAre(3, 4, 5, 6));
 }
 
+TEST(DrawCase, FragCoordStandsBetweenVertexVaryings) {
+  Case drawn_case = two_draws();
+  drawn_case.draws.pop_back();
+  drawn_case.varyings = {{"first", 1, Interpolation::kFlat},
+                         {"at", 4, Interpolation::kSmooth, Sampling::kCenter, VaryingSource::kFragCoord},
+                         {"second", 1, Interpolation::kFlat}};
+  Draw& draw = drawn_case.draws[0];
+  draw.varyings = {7, 8, 0, 0, 0, 0};
+  draw.state.depth_bias = DepthBias{.constant_factor = 0x1p22F};
+  draw.state.viewport.maxDepth = 0.75F;
+  Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  const size_t pixel = size_t{2} * 8 + 3;
+  EXPECT_EQ(planes->varyings[0][pixel], 7);
+  EXPECT_EQ(planes->varyings[1][pixel], 3.5F);
+  EXPECT_EQ(planes->varyings[2][pixel], 2.5F);
+  EXPECT_EQ(planes->varyings[3][pixel], 0.375F + 0.125F);  // of 3/8 the exponent is -2, so 2^-25 is added 2^22 times
+  EXPECT_EQ(planes->varyings[4][pixel], 1 - 3.5F / 32);
+  EXPECT_EQ(planes->varyings[5][pixel], 8);
+  // At samples, if another varying asks for them.
+  drawn_case.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  drawn_case.varyings[2] = {"second", 1, Interpolation::kSmooth, Sampling::kSample};
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_EQ(planes->varyings[1][4 * pixel + 1], 3.875F);
+  EXPECT_EQ(planes->varyings[2][4 * pixel + 1], 2.375F);
+  EXPECT_EQ(planes->varyings[4][4 * pixel + 1], 1 - 3.875F / 32);
+}
+
 // The window's x as a varying of each kind: where it was evaluated.
 TEST(DrawCase, EveryKindOfSamplingWritesAllSamplesOfItsFragment) {
   Case drawn_case = two_draws();
