@@ -1,7 +1,5 @@
 #include "renderer/coverage.h"
 
-#include <algorithm>
-#include <bit>
 #include <utility>
 
 #include "renderer/clip.h"
@@ -96,19 +94,18 @@ uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
 
 // The pixels of the 8x8 block at (x, y) that are in the rectangle, which may be anywhere.
 uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
-  // Bits [low, high) of 8: the columns, or the rows, of the block between two coordinates.
-  const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
-    const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
-    const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
-    return uint64_t{(1U << high) - 1U} & ~uint64_t{(1U << low) - 1U};
-  };
-  constexpr uint64_t kFirstColumn = 0x0101010101010101U;
-  const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
-  uint64_t mask = 0;
-  for (uint64_t rows = range_mask(rect.top, rect.bottom, y); rows != 0; rows &= rows - 1) {
-    mask |= uint64_t{0xFF} << (static_cast<uint32_t>(std::countr_zero(rows)) * kBlockSize);
+  if (x >= rect.left && x + kBlockSize <= rect.right && y >= rect.top && y + kBlockSize <= rect.bottom) {
+    return kFullMask;
   }
-  return mask & columns;
+  const PixelRect within = intersection(rect, {x, y, x + kBlockSize, y + kBlockSize});
+  if (within.empty()) {
+    return 0;
+  }
+  const uint32_t columns =
+      (1U << static_cast<uint32_t>(within.right - x)) - (1U << static_cast<uint32_t>(within.left - x));
+  return (columns * uint64_t{0x0101010101010101U}) &
+         (kFullMask << (static_cast<uint32_t>(within.top - y) * kBlockSize)) &
+         (kFullMask >> (static_cast<uint32_t>(y + kBlockSize - within.bottom) * kBlockSize));
 }
 
 // One triangle over a rectangle of at most 8x8 pixels, pixel by pixel.
