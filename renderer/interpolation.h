@@ -64,25 +64,34 @@ struct PrimitiveInterpolation {
   std::array<double, 3> w{};         // clip space
   WindowPlane depth_framebuffer;     // before clamping and rounding
 
-  // All of these: at so much from the centre of the pixel (x, y).
-  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+  // At the centre of the pixel (x, y).
+  [[nodiscard]] double depth_at(int32_t x, int32_t y) const {
+    return depth_framebuffer.at(x - anchor_x, y - anchor_y);
+  }
+  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y) const {
+    return weights_from_anchor(x - anchor_x, y - anchor_y);
+  }
+
+  // At so much from its centre.
+  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre) const {
     return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
   }
-
+  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre) const {
+    return weights_from_anchor(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
+  }
   // Not positive beyond the horizon.
-  [[nodiscard]] double reciprocal_w_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
-    const double x_from_anchor = x - anchor_x + from_centre.x;
-    const double y_from_anchor = y - anchor_y + from_centre.y;
-    return per_w[0].at(x_from_anchor, y_from_anchor) + per_w[1].at(x_from_anchor, y_from_anchor) +
-           per_w[2].at(x_from_anchor, y_from_anchor);
+  [[nodiscard]] double reciprocal_w_at(int32_t x, int32_t y, const WindowOffset& from_centre) const {
+    const auto [l0, l1, l2] = l_from_anchor(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
+    return l0 + l1 + l2;
   }
 
-  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
-    const double x_from_anchor = x - anchor_x + from_centre.x;
-    const double y_from_anchor = y - anchor_y + from_centre.y;
-    const std::array<double, 3> l = {per_w[0].at(x_from_anchor, y_from_anchor),
-                                     per_w[1].at(x_from_anchor, y_from_anchor),
-                                     per_w[2].at(x_from_anchor, y_from_anchor)};
+ private:
+  [[nodiscard]] std::array<double, 3> l_from_anchor(double x, double y) const {
+    return {per_w[0].at(x, y), per_w[1].at(x, y), per_w[2].at(x, y)};
+  }
+
+  [[nodiscard]] PixelWeights weights_from_anchor(double x, double y) const {
+    const std::array<double, 3> l = l_from_anchor(x, y);
     const double reciprocal_w = l[0] + l[1] + l[2];
     const double greatest = std::max(std::max(std::abs(l[0]), std::abs(l[1])), std::abs(l[2]));
     // Inside the triangle every l_i is in [0, 1/w].
@@ -95,7 +104,6 @@ struct PrimitiveInterpolation {
             .noperspective = {l[0] * w[0], l[1] * w[1], l[2] * w[2]}};
   }
 
- private:
   // For points that snapping has moved so far out of a sliver, or beyond the horizon 1/w = 0, that extrapolated
   // weights mean nothing: the nearest weights inside the primitive.
   [[nodiscard]] PixelWeights constrained_weights(const std::array<double, 3>& l) const;

@@ -14,10 +14,11 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
   const VertexDistances& distances = draw.input.clip_distances;
   for (uint32_t primitive = first; primitive < end; ++primitive) {
     const auto [a, b, c] = draw.assembly.triangle(primitive);
-    const auto triangle =
-        setup_triangle(draw.setup, primitive, {positions_clip[a], positions_clip[b], positions_clip[c]},
-                       {window_vertices[a], window_vertices[b], window_vertices[c]},
-                       {distances.of(a), distances.of(b), distances.of(c)}, chunk.polygon_vertices());
+    const ClipDistances clip_distances =
+        distances.count == 0 ? ClipDistances{} : ClipDistances{distances.of(a), distances.of(b), distances.of(c)};
+    const auto triangle = setup_triangle(
+        draw.setup, primitive, {positions_clip[a], positions_clip[b], positions_clip[c]},
+        {window_vertices[a], window_vertices[b], window_vertices[c]}, clip_distances, chunk.polygon_vertices());
     if (triangle) {
       chunk.add(*triangle);
     }

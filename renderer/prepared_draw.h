@@ -60,6 +60,9 @@ struct PreparedDraw {
 
   [[nodiscard]] WindowVertex window_vertex(uint32_t vertex, const ClipPosition& pos_clip) const {
     WindowVertex window_vertex = setup.transform.window_vertex(pos_clip);
+    if (input.clip_distances.count + input.cull_distances.count == 0) {
+      return window_vertex;
+    }
     add_user_distances(input.clip_distances.of(vertex), input.cull_distances.of(vertex), window_vertex);
     return window_vertex;
   }

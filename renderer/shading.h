@@ -33,7 +33,9 @@ struct Fragment {
   WindowOffset centroid;  // a point of both the pixel and the primitive
   const PrimitiveInterpolation& interpolation;
 
-  [[nodiscard]] PixelWeights weights(const WindowOffset& from_centre = {}) const {
+  // At the pixel's centre, and at so much from it.
+  [[nodiscard]] PixelWeights weights() const { return interpolation.weights_at(x, y); }
+  [[nodiscard]] PixelWeights weights(const WindowOffset& from_centre) const {
     return interpolation.weights_at(x, y, from_centre);
   }
 
@@ -72,11 +74,12 @@ struct Shader {
   const PrimitiveInterpolation& interpolation;
 
   void shade(const CoverageBlock& block) const {
+    const DepthStage depth = draw.depth;  // a copy: what the program writes cannot alias it
     for (uint64_t mask = block.mask; mask != 0; mask &= mask - 1) {
       const int32_t bit = std::countr_zero(mask);
       const int32_t x = block.x + bit % kBlockSize;
       const int32_t y = block.y + bit / kBlockSize;
-      if (lands(x, y, 0, {})) {
+      if (!depth.tests() || depth.lands(interpolation.depth_at(x, y), draw.input.depth.values[pixel_index(x, y)])) {
         program.fragment(data, {.x = x, .y = y, .interpolation = interpolation});
       }
     }
@@ -93,20 +96,23 @@ struct Shader {
  private:
   [[nodiscard]] WindowOffset location(uint32_t sample) const { return draw.sample_locations[sample].from_centre(); }
 
-  [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample, const WindowOffset& from_centre) const {
+  [[nodiscard]] size_t pixel_index(int32_t x, int32_t y) const {
+    return static_cast<size_t>(y) * draw.input.target_width + static_cast<size_t>(x);
+  }
+
+  [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample) const {
     if (!draw.depth.tests()) {
       return true;
     }
-    const size_t pixel = static_cast<size_t>(y) * draw.input.target_width + static_cast<size_t>(x);
-    float& stored = draw.input.depth.values[pixel * draw.input.samples + sample];
-    return draw.depth.lands(interpolation.depth_at(x, y, from_centre), stored);
+    const size_t index = pixel_index(x, y) * draw.input.samples + sample;
+    return draw.depth.lands(interpolation.depth_at(x, y, location(sample)), draw.input.depth.values[index]);
   }
 
   void shade_pixel(int32_t x, int32_t y, uint32_t covered) const {
     uint32_t landed = 0;
     for (uint32_t rest = covered & draw.input.state.sample_mask; rest != 0; rest &= rest - 1) {
       const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
-      landed |= static_cast<uint32_t>(lands(x, y, sample, location(sample))) << sample;
+      landed |= static_cast<uint32_t>(lands(x, y, sample)) << sample;
     }
     if (landed == 0) {
       return;
@@ -116,14 +122,13 @@ struct Shader {
     if (covered != (1U << draw.input.samples) - 1) {
       fragment.centroid = location(static_cast<uint32_t>(std::countr_zero(covered)));
     }
-    if (!draw.input.sample_shading) {
-      program.fragment(data, fragment);
-      return;
-    }
-    for (uint32_t rest = landed; rest != 0; rest &= rest - 1) {
-      const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
-      fragment.samples = 1U << sample;
-      fragment.position = location(sample);
+    // Under sample shading one sample at a time, else all at once.
+    for (uint32_t rest = landed; rest != 0; rest &= ~fragment.samples) {
+      if (draw.input.sample_shading) {
+        const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
+        fragment.samples = 1U << sample;
+        fragment.position = location(sample);
+      }
       program.fragment(data, fragment);
     }
   }

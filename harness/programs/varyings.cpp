@@ -52,11 +52,11 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
     has_sample_ = has_sample_ || varying.sampling == Sampling::kSample;
     has_frag_coord_ = has_frag_coord_ || varying.source == VaryingSource::kFragCoord;
     const bool is_of_vertices = varying.source == VaryingSource::kVertices;
+    const Kind vertex_kind = varying.interpolation == Interpolation::kFlat ? Kind::kFlat : Kind::kInterpolated;
     for (uint32_t i = 0; i < varying.components; ++i) {
       components_[component_count_] = {.plane = planes.varyings[component_count_].data(),
-                                       .interpolation = varying.interpolation,
-                                       .sampling = varying.sampling,
-                                       .source = varying.source,
+                                       .kind = is_of_vertices ? vertex_kind : Kind::kFragCoord,
+                                       .weights = weights_index(varying.sampling, varying.interpolation),
                                        .index = is_of_vertices ? vertex_component_count_++ : i};
       ++component_count_;
     }
