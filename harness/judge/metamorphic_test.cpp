@@ -178,5 +178,17 @@ TEST(Variants, ScalingIsLeftAloneWhereItWouldRound) {
   EXPECT_EQ(tiny.draws[0].positions, before.draws[0].positions);
 }
 
+TEST(Variants, LeaveLinesAndOutlinesAsTheyAre) {
+  Case lines = layered();
+  lines.draws[0].topology = VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
+  lines.draws[1].state.polygon_mode = VK_POLYGON_MODE_LINE;
+  const Case varied = with_front_faces_flipped(as_triangle_list(lines, {0, 2, 1}));
+  for (size_t i = 0; i < lines.draws.size(); ++i) {
+    EXPECT_EQ(varied.draws[i].topology, lines.draws[i].topology);
+    EXPECT_EQ(varied.draws[i].positions, lines.draws[i].positions);
+    EXPECT_EQ(varied.draws[i].state.front_face, lines.draws[i].state.front_face);
+  }
+}
+
 }  // namespace
 }  // namespace fillrule::judge

@@ -41,6 +41,11 @@ Draw as_triangle_list(const Draw& draw, const std::vector<Varying>& varyings, co
   return list;
 }
 
+// The ends of a line have an order, and so have the edges of a polygon drawn as lines.
+bool is_filled(const Draw& draw) {
+  return draw.topology >= VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST && draw.state.polygon_mode == VK_POLYGON_MODE_FILL;
+}
+
 // Whether a coordinate can be scaled without rounding.
 bool scales(float coordinate, int exponent) {
   if (coordinate == 0 || !std::isfinite(coordinate)) return true;
@@ -52,12 +57,15 @@ bool scales(float coordinate, int exponent) {
 
 Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& order) {
   Case result = test_case;
-  for (Draw& draw : result.draws) draw = as_triangle_list(draw, test_case.varyings, order);
+  for (Draw& draw : result.draws) {
+    if (is_filled(draw)) draw = as_triangle_list(draw, test_case.varyings, order);
+  }
   return result;
 }
 
 Case with_front_faces_flipped(Case test_case) {
   for (Draw& draw : test_case.draws) {
+    if (!is_filled(draw)) continue;
     const bool clockwise = draw.state.front_face == VK_FRONT_FACE_CLOCKWISE;
     draw.state.front_face = clockwise ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE;
   }

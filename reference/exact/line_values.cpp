@@ -49,6 +49,14 @@ LineQuantity::LineQuantity(const Segment& segment, const std::array<double, 2>& 
   difference_ =
       gradient == WindowLinear::Gradient::kFromDifferences ? std::abs(q[1] - q[0]) : std::abs(q[0]) + std::abs(q[1]);
   set_condition(q);
+  const auto& part = segment.clipped() ? segment.clipped() : segment.unbounded();
+  if (!part || part->whole) return;
+  const double largest = std::max(std::abs(homogeneous[0]), std::abs(homogeneous[1]));
+  const double largest_w = std::max(std::abs(segment.w(0)), std::abs(segment.w(1)));
+  for (const SegmentEnd& end : {part->begin, part->end}) {
+    const double rounded = (largest + std::abs(at(end.along)) * largest_w) / end.w;
+    clipper_ = std::max(clipper_, kClipperRoundings * rounded);
+  }
 }
 
 void LineQuantity::set_condition(const std::array<double, 2>& q) {
@@ -60,6 +68,7 @@ LineQuantity LineQuantity::scaled(double factor, double summand, const std::arra
   result.slope_ *= factor;
   result.constant_ = constant_ * factor + summand;
   result.difference_ = std::abs(q[1] - q[0]);
+  result.clipper_ *= std::abs(factor);
   result.set_condition(q);
   return result;
 }
@@ -78,7 +87,7 @@ double LineQuantity::condition(double dx, double dy) const {
     largest_y = std::max(largest_y, std::abs(y_[i] + centre_y_));
     from_end = std::max(from_end, sum_x * std::abs(dx - x_[i]) + sum_y * std::abs(dy - y_[i]));
   }
-  return kValueRoundings * (largest_ + kFlushed) +
+  return kValueRoundings * (largest_ + kFlushed) + clipper_ +
          gx * (kPositionRoundings * largest_x + double{viewport_.width} + std::abs(dx + centre_x_)) +
          gy * (kPositionRoundings * largest_y + std::abs(double{viewport_.height}) + std::abs(dy + centre_y_)) +
          from_end;

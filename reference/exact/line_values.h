@@ -40,6 +40,7 @@ class LineQuantity {
   double constant_ = 0;
   double largest_ = 0;
   double difference_ = 0;  // what the gradient is computed from, over the line's length
+  double clipper_ = 0;     // what a clipper rounds on the way to a new end, in units of 2^-24
   double length_ = 0;
   std::array<double, 2> x_{};  // pixels from the viewport's centre
   std::array<double, 2> y_{};

@@ -87,6 +87,14 @@ TEST(LineValues, WithoutFiniteInputNothingIsJudged) {
   EXPECT_TRUE(std::isinf(values.varying_for(0, 1, 20, 25).tolerance));
 }
 
+TEST(LineValues, AClippersRoundingOfFarEndsIsAllowedFor) {
+  const LineValues near = values_of(at(10, 20, 0.5, 1), at(30, 20, 0.5, 1));
+  const LineValues far = values_of(at(10, 20, 0.5, 1), at(30000, 20, 0.5, 1));
+  EXPECT_LT(near.depth(15, 20).tolerance, 3e-7);
+  EXPECT_GT(far.depth(15, 20).tolerance, 5e-7);
+  EXPECT_LT(far.depth(15, 20).tolerance, 2e-6);
+}
+
 TEST(LineValues, DepthFollowsTheViewportAndTheVolume) {
   RasterState state = state_of();
   state.viewport.minDepth = 0.75F;

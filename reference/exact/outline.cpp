@@ -93,6 +93,28 @@ BiasRange polygon_bias(const Case& test_case, const Piece& part) {
   return values.depth_bias();
 }
 
+// The planes of the clip volume that cut the polygon.
+uint32_t cutting_planes(const Draw& draw, const Piece& polygon) {
+  const RasterState& state = draw.state;
+  const auto cuts = [&](const auto& is_outside) {
+    return std::any_of(polygon.vertices.begin(), polygon.vertices.end(), is_outside) ? 1U : 0U;
+  };
+  uint32_t count = 0;
+  for (const size_t axis : {size_t{0}, size_t{1}}) {
+    count += cuts([&](uint32_t v) { return draw.positions[v][axis] > draw.positions[v][3]; });
+    count += cuts([&](uint32_t v) { return draw.positions[v][axis] < -draw.positions[v][3]; });
+  }
+  if (state.depth_clip) {
+    count += cuts([&](uint32_t v) { return draw.positions[v][2] > draw.positions[v][3]; });
+    count += cuts(
+        [&](uint32_t v) { return draw.positions[v][2] < (state.negative_one_to_one ? -draw.positions[v][3] : 0); });
+  }
+  for (size_t i = 0; i < draw.clip_distance_count; ++i) {
+    count += cuts([&](uint32_t v) { return clip_distances_of(draw, v)[i] < 0; });
+  }
+  return count;
+}
+
 }  // namespace
 
 std::vector<Piece> line_and_point_pieces(const Draw& draw, uint32_t draw_number, uint32_t first_primitive,
@@ -143,7 +165,9 @@ std::vector<Piece> outline_of(const Draw& draw, const Piece& polygon) {
     }
     pieces.push_back(std::move(piece));
   }
-  if (!triangle.inside_volume()) {
+  // Each plane that cuts adds at most an edge and two corners, all of which may be drawn over each other.
+  const uint32_t added = cutting_planes(draw, polygon) * (draw.state.polygon_mode == VK_POLYGON_MODE_POINT ? 2 : 1);
+  for (uint32_t i = 0; i < added; ++i) {
     Piece piece = part_of(polygon);
     piece.vertices = polygon.vertices;
     piece.kind = Piece::Kind::kClipEdges;

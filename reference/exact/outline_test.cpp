@@ -123,6 +123,11 @@ TEST(Outline, WithoutAreaAnOutlineMayBeDropped) {
   const Expectation expectation(outlined(VK_POLYGON_MODE_LINE, {at(4.5, 4.5), at(28.5, 4.5), at(16.5, 4.5)}), 8);
   EXPECT_EQ(at_pixel(expectation, 8, 4).must, Owners{});
   EXPECT_EQ(at_pixel(expectation, 8, 4).may, (Owners{0, 0}));
+  // Nor with one vertex behind the eye, on the same line.
+  const ClipPosition beyond = at(40.5, 4.5);
+  const Expectation behind(
+      outlined(VK_POLYGON_MODE_LINE, {at(4.5, 4.5), at(28.5, 4.5), {-beyond[0], -beyond[1], -beyond[2], -1}}), 8);
+  EXPECT_EQ(at_pixel(behind, 8, 4).must, Owners{});
 }
 
 TEST(Outline, ClippingMayAddEdgesAndCorners) {
@@ -130,9 +135,11 @@ TEST(Outline, ClippingMayAddEdgesAndCorners) {
   for (const VkPolygonMode mode : {VK_POLYGON_MODE_LINE, VK_POLYGON_MODE_POINT}) {
     const Expectation expectation(outlined(mode, {at(4.5, 4.5), at(44.5, 16.5), at(4.5, 28.5)}), 8);
     EXPECT_EQ(at_pixel(expectation, 31, 16).must, Owners{});
-    EXPECT_EQ(at_pixel(expectation, 31, 16).may, Owners{0});
+    // An edge, or two corners.
+    EXPECT_EQ(at_pixel(expectation, 31, 16).may, mode == VK_POLYGON_MODE_LINE ? Owners{0} : (Owners{0, 0}));
     EXPECT_EQ(at_pixel(expectation, 31, 8).may, Owners{});
     EXPECT_EQ(at_pixel(expectation, 29, 16).may, Owners{});
+    EXPECT_EQ(at_pixel(expectation, 28, 11).may, Owners{});  // on an edge, away from the border
   }
   // z runs from -0.5 at the left edge: the near plane's trace is at x = 16.5.
   const Expectation near(

@@ -11,10 +11,7 @@ namespace {
 
 // Every number below is a float32, or a sum or product of two: a few roundings of 2^-53 each.
 constexpr double kRelative = 0x1p-49;
-// A clipper that computes A + t (B - A) in float32 rounds the difference, the product and the sum, for each plane
-// that cuts: 2^-21 of the largest coordinate covers two planes. (An error of t itself moves along the segment and is
-// of the same size.)
-constexpr double kClipperRounding = 0x1p-21;
+constexpr double kClipperRounding = kClipperRoundings * 0x1p-24;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -101,7 +98,7 @@ SegmentEnd Segment::end_at(double weight_a, double weight_b, bool is_begin) cons
   const double error_w = kRelative * (weight_a * std::abs(w(0)) + weight_b * std::abs(w(1)));
   const double away = is_begin ? -kInfinity : kInfinity;
   if (there_w <= 2 * error_w) return {.along = away, .x = away * direction_x_, .y = away * direction_y_};
-  SegmentEnd end;
+  SegmentEnd end{.w = there_w};
   end.x = (weight_a * u_[0] + weight_b * u_[1]) / there_w;
   end.y = (weight_a * v_[0] + weight_b * v_[1]) / there_w;
   end.along = along(end.x, end.y);

@@ -16,11 +16,17 @@
 
 namespace fillrule::exact {
 
+// A clipper that computes A + t (B - A) in float32 rounds the difference, the product and the sum, for each plane
+// that cuts: eight units of 2^-24 of the largest coordinate cover two planes. (An error of t itself moves along the
+// segment and is of the same size.)
+inline constexpr double kClipperRoundings = 8;
+
 // One end of a part of the segment, in the window.
 struct SegmentEnd {
   double along = 0;  // pixels from the viewport's centre along the direction; infinite where w reaches 0
   double x = 0;      // pixels from the viewport's centre
   double y = 0;
+  double w = 0;      // of clip space
   double error = 0;  // pixels, a bound of how far doubles are from the exact place
   double slop = 0;   // pixels, how far float32 may be from it: a clipper's intersection rounds with both its ends
 };
