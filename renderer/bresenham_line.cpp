@@ -30,6 +30,10 @@ Perturbed exactly(int64_t value) {
   return {value, 0, 0};
 }
 
+int64_t half_pixel(uint32_t subpixel_bits) {
+  return pixel_centre_fixed(subpixel_bits).x_fixed;
+}
+
 struct PerturbedPosition {
   Perturbed major;
   Perturbed minor;
@@ -42,7 +46,7 @@ struct Segment {
 };
 
 Segment segment_of(const BresenhamLine& line, uint32_t subpixel_bits) {
-  const int64_t offset = int64_t{line.width - 1} * half_pixel_fixed(subpixel_bits);
+  const int64_t offset = int64_t{line.width - 1} * half_pixel(subpixel_bits);
   const bool x_major = is_x_major(line);
   const auto moved = [&](const FixedPosition& end) -> PerturbedPosition {
     const Perturbed x{end.x_fixed, -1, 0};
@@ -60,7 +64,7 @@ int64_t pixel_of(const Perturbed& coordinate, uint32_t subpixel_bits) {
 
 // The ends as seen from a pixel's centre, along the two diagonals: there the diamond is the square |s|, |d| < half.
 bool meets_diamond(const Segment& segment, int64_t major, int64_t minor, uint32_t subpixel_bits) {
-  const int64_t half = half_pixel_fixed(subpixel_bits);
+  const int64_t half = half_pixel(subpixel_bits);
   const Perturbed centre_major = exactly((major << subpixel_bits) + half);
   const Perturbed centre_minor = exactly((minor << subpixel_bits) + half);
   const Perturbed inside = exactly(half);
@@ -92,7 +96,7 @@ SteppedQuotient crossings(const Segment& segment, int64_t major, uint32_t subpix
   const auto weighted = [&](int64_t from_major, int64_t from_minor) {
     return from_minor * d_major - from_major * d_minor;
   };
-  const int64_t from_middle = segment.a.major.value - (major << subpixel_bits) - half_pixel_fixed(subpixel_bits);
+  const int64_t from_middle = segment.a.major.value - (major << subpixel_bits) - half_pixel(subpixel_bits);
   const Perturbed numerator{weighted(from_middle, segment.a.minor.value),
                             weighted(segment.a.major.first, segment.a.minor.first),
                             weighted(segment.a.major.second, segment.a.minor.second)};

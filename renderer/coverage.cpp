@@ -6,6 +6,7 @@
 
 #include "renderer/clip.h"
 #include "renderer/edge_function.h"
+#include "renderer/scanline.h"
 
 namespace fillrule::renderer {
 namespace {
@@ -205,8 +206,17 @@ uint32_t SampledBlock::samples_at(uint32_t bit) const {
   return samples;
 }
 
-void cover_samples(std::span<const FixedPosition> outline, std::span<const SampleArea> samples,
-                   uint32_t subpixel_bits, const PixelRect& rect, SampledTileCoverage& coverage) {
+void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
+           const PixelRect& rect, TileCoverage& coverage) {
+  if (rule.fill == Fill::kScanline) {
+    cover_by_scanlines(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+  } else {
+    cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+  }
+}
+
+void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
+                   std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage) {
   coverage.count = 0;
   // Which entry the block of a tile's row and column has: all samples' blocks lie alike.
   constexpr uint8_t kNone = 0xFF;
@@ -214,7 +224,7 @@ void cover_samples(std::span<const FixedPosition> outline, std::span<const Sampl
   entries.fill(kNone);
   TileCoverage one;
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    cover(outline, samples[i].sample_fixed, subpixel_bits, rect, one);
+    cover(rule, outline, samples[i].sample_fixed, rect, one);
     for (uint32_t k = 0; k < one.count; ++k) {
       const auto& [x, y, mask] = one.blocks[k];
       constexpr int32_t kBlocksInRow = kTileSize / kBlockSize;

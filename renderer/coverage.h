@@ -36,6 +36,21 @@ struct TileCoverage {
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
            const PixelRect& rect, TileCoverage& coverage);
 
+// Two ways to the same coverage.
+enum class Fill : uint8_t {
+  kEdgeFunction,  // cover()
+  kScanline,      // cover_by_scanlines() of scanline.h
+};
+
+// How the outlines of a draw are covered.
+struct CoverageRule {
+  Fill fill = Fill::kEdgeFunction;
+  uint32_t subpixel_bits = kMaxSubpixelBits;
+};
+
+void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
+           const PixelRect& rect, TileCoverage& coverage);
+
 // The same for pixels of several samples, a mask for each sample.
 struct SampledBlock {
   int32_t x = 0;
@@ -59,7 +74,7 @@ struct SampleArea {
   PixelRect pixels;
 };
 
-void cover_samples(std::span<const FixedPosition> outline, std::span<const SampleArea> samples,
-                   uint32_t subpixel_bits, const PixelRect& rect, SampledTileCoverage& coverage);
+void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
+                   std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage);
 
 }  // namespace fillrule::renderer

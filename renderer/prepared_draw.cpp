@@ -133,6 +133,7 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
   PreparedDraw prepared{
       .input = input,
       .subpixel_bits = options.subpixel_bits,
+      .coverage_rule = {.fill = options.fill, .subpixel_bits = options.subpixel_bits},
       .depth = DepthStage(state, input.depth),
       .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
       .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),

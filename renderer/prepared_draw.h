@@ -18,6 +18,7 @@ namespace fillrule::renderer {
 struct Options {
   uint32_t subpixel_bits = kMaxSubpixelBits;  // kMinSubpixelBits to kMaxSubpixelBits
   uint32_t threads = 1;                       // any number gives the same bytes
+  Fill fill = Fill::kEdgeFunction;            // so does either fill
 };
 
 // The user's distances, vertex by vertex.
@@ -49,6 +50,7 @@ struct DrawInput {
 struct PreparedDraw {
   DrawInput input;
   uint32_t subpixel_bits;
+  CoverageRule coverage_rule;
   DepthStage depth;
   PrimitiveAssembly assembly;
   PixelRect viewport_pixels;  // by their centres

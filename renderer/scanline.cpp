@@ -16,7 +16,7 @@ struct SampleGrid {
 
 // The first row whose samples are at or below y.
 int32_t first_row(const SampleGrid& grid, int32_t y_fixed) {
-  return (y_fixed - grid.sample_fixed.y_fixed + (1 << grid.subpixel_bits) - 1) >> grid.subpixel_bits;
+  return first_pixel(y_fixed, grid.sample_fixed.y_fixed, grid.subpixel_bits);
 }
 
 // Row by row from `row`, the first column whose sample is at or to the right of the edge from `upper` to `lower`. The

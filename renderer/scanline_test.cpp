@@ -186,5 +186,26 @@ TEST(Scanline, TheLargestCoordinatesDoNotOverflow) {
   }
 }
 
+// Whole draws, clipped by near plane and guard band too: not a byte of any plane differs.
+TEST(Scanline, DrawsEqualThoseOfTheEdgeFunctions) {
+  SeededRandom random;
+  for (const uint32_t samples : {1U, 2U, 4U, 8U, 16U}) {
+    TestScene scene(100, 90);
+    scene.samples = samples;
+    scene.state.depth_test = true;
+    scene.state.viewport = {-3.25F, 2.5F, 90, 80, 0, 1};
+    for (int i = 0; i < 300; ++i) {
+      const double size = i % 9 < 3 ? std::exp2(random.uniform(0, 20)) : 1.5;
+      const auto coordinate = [&](double extent) { return static_cast<float>(random.uniform(-extent, extent)); };
+      const float w = i % 9 < 3 ? coordinate(2) : 1;
+      scene.positions.push_back({coordinate(size), coordinate(size), 0.5F + coordinate(0.6), w});
+      scene.values.push_back(coordinate(1));
+    }
+    const TestPlanes expected = render(scene);
+    EXPECT_LT(count_of(expected.hits, 0), expected.hits.size() / 2);
+    EXPECT_TRUE(same_bytes(render(scene, {.fill = Fill::kScanline}), expected)) << samples << " samples";
+  }
+}
+
 }  // namespace
 }  // namespace fillrule::renderer

@@ -131,12 +131,12 @@ struct Shader {
 
 inline void cover_tile(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
                        TileCoverage& coverage) {
-  cover(outline, draw.samples().front().sample_fixed, draw.subpixel_bits, rect, coverage);
+  cover(draw.coverage_rule, outline, draw.samples().front().sample_fixed, rect, coverage);
 }
 
 inline void cover_tile(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
                        SampledTileCoverage& coverage) {
-  cover_samples(outline, draw.samples(), draw.subpixel_bits, rect, coverage);
+  cover_samples(draw.coverage_rule, outline, draw.samples(), rect, coverage);
 }
 
 // Coverage is TileCoverage for draws of one sample a pixel, which are much the faster for it, and else

@@ -70,7 +70,10 @@ format::Suite load(const SuiteOptions& options) {
 void add_party_options(CLI::App& command, PartyOptions& options) {
   run::RunOptions& run = options.run;
   run.driver_files = driver_files();
-  command.add_option("--candidate", run.candidate, "who is judged: renderer, or a driver")->capture_default_str();
+  command
+      .add_option("--candidate", run.candidate,
+                  "who is judged: renderer, renderer:scanline (fills by scanlines), or a driver")
+      ->capture_default_str();
   command
       .add_option("--reference", options.references,
                   "drivers as 'fillrule devices' names them, one or more; oracle or none: the oracle judges alone")

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <mutex>
+#include <string_view>
 
 #include "harness/programs/varyings.h"
 #include "harness/run/reference.h"
@@ -11,14 +12,18 @@
 namespace fillrule::run {
 namespace {
 
-Candidate make_renderer(const CandidateOptions& options) {
-  const renderer::Options renderer_options{.subpixel_bits = options.subpixel_bits, .threads = options.threads};
+constexpr std::string_view kRenderer = "renderer";
+constexpr std::string_view kScanlineRenderer = "renderer:scanline";
+
+Candidate make_renderer(std::string_view name, renderer::Fill fill, const CandidateOptions& options) {
+  const renderer::Options renderer_options{
+      .subpixel_bits = options.subpixel_bits, .threads = options.threads, .fill = fill};
   const auto draw = [renderer_options](const Case& test_case, uint32_t threads) {
     renderer::Options chosen = renderer_options;
     if (threads != 0) chosen.threads = threads;
     return programs::draw_case(test_case, chosen);
   };
-  return {.name = "renderer", .subpixel_bits = options.subpixel_bits, .draw = draw};
+  return {.name = std::string(name), .subpixel_bits = options.subpixel_bits, .draw = draw};
 }
 
 // A device is for one thread at a time.
@@ -45,7 +50,8 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
   if (!device) {
     Error error = device.error();
     error.what = fmt::format("there is no candidate '{}': {}", name, error.what);
-    error.hint = "the candidates are renderer and the drivers that 'fillrule devices' lists; " + error.hint;
+    error.hint =
+        "the candidates are renderer, renderer:scanline and the drivers that 'fillrule devices' lists; " + error.hint;
     return tl::unexpected(error);
   }
   const auto shared = std::make_shared<SharedDevice>(std::move(*device));
@@ -57,7 +63,9 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
 }  // namespace
 
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options) {
-  return name == "renderer" ? make_renderer(options) : make_driver(name, options);
+  if (name == kRenderer) return make_renderer(name, renderer::Fill::kEdgeFunction, options);
+  if (name == kScanlineRenderer) return make_renderer(name, renderer::Fill::kScanline, options);
+  return make_driver(name, options);
 }
 
 }  // namespace fillrule::run

@@ -25,8 +25,8 @@ struct CandidateOptions {
   std::vector<std::string> driver_files;  // as in vulkan::list_devices
 };
 
-// The candidates there are: "renderer", and every Vulkan driver by the name that `fillrule devices` shows. Any other
-// name is an error that says so.
+// The candidates there are: "renderer", "renderer:scanline" (which fills by scanlines instead of by edge functions),
+// and every Vulkan driver by the name that `fillrule devices` shows. Any other name is an error that says so.
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options);
 
 }  // namespace fillrule::run

@@ -34,7 +34,7 @@ TEST(Candidate, AnUnknownNameIsAnErrorThatTellsWhatThereIs) {
   const auto candidate = make_candidate("painter", {});
   ASSERT_FALSE(candidate);
   EXPECT_EQ(candidate.error().what.find("there is no candidate 'painter': no Vulkan device of the driver"), 0U);
-  EXPECT_EQ(candidate.error().hint.find("the candidates are renderer and the drivers"), 0U);
+  EXPECT_EQ(candidate.error().hint.find("the candidates are renderer, renderer:scanline and the drivers"), 0U);
   EXPECT_NE(candidate.error().hint.find("'lavapipe'"), std::string::npos);
 }
 
@@ -44,6 +44,22 @@ TEST(Candidate, ADriverCanBeJudgedToo) {
   const RunResult result = runner->run(cases());
   EXPECT_EQ(result.candidate, "lavapipe");
   EXPECT_EQ(result.summary.failed, 0U);
+}
+
+TEST(Candidate, BothFillsOfTheRendererDrawTheSame) {
+  const auto by_edges = make_candidate("renderer", {});
+  const auto by_scanlines = make_candidate("renderer:scanline", {});
+  ASSERT_TRUE(by_edges && by_scanlines);
+  EXPECT_EQ(by_scanlines->name, "renderer:scanline");
+  for (const Case& one : cases()) {
+    const Result<Planes> expected = by_edges->draw(one, 0);
+    const Result<Planes> planes = by_scanlines->draw(one, 0);
+    ASSERT_TRUE(expected && planes);
+    EXPECT_EQ(planes->hits, expected->hits);
+    EXPECT_EQ(planes->owner, expected->owner);
+    EXPECT_EQ(planes->depth, expected->depth);
+    EXPECT_EQ(planes->varyings, expected->varyings);
+  }
 }
 
 TEST(SuiteRunner, AMissingReferenceIsAnError) {
