@@ -9,16 +9,11 @@
 #include <optional>
 
 #include "renderer/fixed_point.h"
+#include "renderer/window_transform.h"
 
 namespace fillrule::renderer {
 
 using FixedQuad = std::array<FixedPosition, 4>;
-
-// Framebuffer coordinates in pixels. Floats, wherever they were not made by clipping.
-struct FramebufferPosition {
-  double x = 0;
-  double y = 0;
-};
 
 inline constexpr float kMinPointSize = 1;  // pixels; as lavapipe's pointSizeRange, which a size is clamped to
 inline constexpr float kMaxPointSize = 255;
