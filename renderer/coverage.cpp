@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "renderer/bresenham_line.h"
 #include "renderer/clip.h"
 #include "renderer/edge_function.h"
 #include "renderer/scanline.h"
@@ -208,7 +209,10 @@ uint32_t SampledBlock::samples_at(uint32_t bit) const {
 
 void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
            const PixelRect& rect, TileCoverage& coverage) {
-  if (rule.fill == Fill::kScanline) {
+  if (outline.size() == 2) {
+    const BresenhamLine line{outline[0], outline[1], rule.bresenham_width};
+    cover_by_diamond_exit(line, rule.subpixel_bits, rect, coverage);
+  } else if (rule.fill == Fill::kScanline) {
     cover_by_scanlines(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
   } else {
     cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage);

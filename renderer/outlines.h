@@ -15,7 +15,8 @@ namespace fillrule::renderer {
 
 using FixedQuad = std::array<FixedPosition, 4>;
 
-inline constexpr float kMinPointSize = 1;  // pixels; as lavapipe's pointSizeRange, which a size is clamped to
+inline constexpr float kMaxLineWidth = 255;  // pixels; as lavapipe's lineWidthRange
+inline constexpr float kMinPointSize = 1;    // pixels; as lavapipe's pointSizeRange, which a size is clamped to
 inline constexpr float kMaxPointSize = 255;
 
 // The size that is drawn, within the range above. Not a number is the least.

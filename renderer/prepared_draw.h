@@ -49,6 +49,7 @@ struct DrawInput {
 // Everything of a draw that does not depend on the program.
 struct PreparedDraw {
   DrawInput input;
+  Shape shape;
   uint32_t subpixel_bits;
   CoverageRule coverage_rule;
   DepthStage depth;
@@ -68,7 +69,7 @@ struct PreparedDraw {
 };
 
 // Refuses what the pipeline cannot draw: a state outside of Vulkan's limits, an index without a vertex, a topology of
-// lines or points.
+// patches or with adjacency.
 Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options);
 
 }  // namespace fillrule::renderer

@@ -43,6 +43,11 @@ struct Fragment {
             finite_float(interpolation.depth_at(x, y, position)),
             finite_float(interpolation.reciprocal_w_at(x, y, position))};
   }
+
+  // gl_PointCoord, of points.
+  [[nodiscard]] std::array<float, 2> point_coord(const WindowOffset& from_centre = {}) const {
+    return interpolation.point_coord_at(x, y, from_centre);
+  }
 };
 
 template <typename P>
@@ -57,7 +62,8 @@ concept Program = requires(const P& program, uint32_t vertex, const ShadedPrimit
 };
 
 // The plane equations of a primitive that was set up.
-PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
+PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
+                                          const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline);
 
@@ -156,8 +162,9 @@ void shade_tile(const PreparedDraw& draw, const P& program, const std::vector<Cl
       if (coverage.count == 0) {
         return;
       }
-      const std::array<uint32_t, 3> vertices = draw.assembly.triangle(primitive.primitive);
-      const PrimitiveInterpolation interpolation = make_interpolation(draw, vertices, positions_clip, outline);
+      const std::array<uint32_t, 3> vertices = draw.assembly.vertices(primitive.primitive);
+      const PrimitiveInterpolation interpolation =
+          make_interpolation(draw, primitive, vertices, positions_clip, outline);
       const typename P::PrimitiveData data = program.primitive_data(
           {.primitive = primitive.primitive, .vertices = vertices, .front_facing = primitive.front_facing});
       const Shader<P> shader{draw, program, data, interpolation};

@@ -74,6 +74,10 @@ FeatureSet renderer_features() {
                                 Feature::kClipDistances,  Feature::kCullDistances,    Feature::kFragCoord}) {
     features.add(feature);
   }
+  for (const Feature feature : {Feature::kPoints, Feature::kLargePoints, Feature::kLines, Feature::kBresenhamLines,
+                                Feature::kWideLines, Feature::kFillModeNonSolid}) {
+    features.add(feature);
+  }
   return features;
 }
 
@@ -108,7 +112,8 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
                      .vertex_count = static_cast<uint32_t>(draw.positions.size()),
                      .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
                      .vertex_offset = draw.vertex_offset,
-                     .runs = runs},
+                     .runs = runs,
+                     .point_sizes = draw.point_sizes},
         .clip_distances = {.count = draw.clip_distance_count, .values = draw.clip_distances},
         .cull_distances = {.count = draw.cull_distance_count, .values = draw.cull_distances},
         .state = draw.state,
