@@ -85,8 +85,7 @@ std::optional<SetupPrimitive> setup_line(const SetupState& state, const Assemble
   const FramebufferPosition to = framebuffer(state.transform, visible->to, to_clip);
   const uint32_t bits = state.transform.subpixel_bits();
   if (state.line_mode == VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT) {
-    const BresenhamLine line{state.transform.snapped(from), state.transform.snapped(to),
-                             bresenham_width(state.line_width)};
+    const BresenhamLine line{snapped_end(from, bits), snapped_end(to, bits), bresenham_width(state.line_width)};
     return with_outline(state, primitive, ends, std::array{line.a, line.b}, bounding_pixels(line, bits),
                         polygon_vertices);
   }

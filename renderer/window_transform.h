@@ -71,8 +71,6 @@ class WindowTransform {
   // The same for a position made by clipping, in double precision; w must be positive.
   [[nodiscard]] FramebufferPosition framebuffer(const HomogeneousPosition<double>& pos_clip) const;
 
-  [[nodiscard]] FixedPosition snapped(const FramebufferPosition& position_framebuffer) const;
-
   // Within the sides of the viewport, and between near and far where those clip. False unless w > 0.
   [[nodiscard]] bool is_inside_clip_volume(const ClipPosition& pos_clip) const;
 
@@ -100,6 +98,7 @@ class WindowTransform {
 
  private:
   [[nodiscard]] FramebufferPosition framebuffer_as_lavapipe(const ClipPosition& pos_clip) const;
+  [[nodiscard]] FixedPosition snapped(const FramebufferPosition& position_framebuffer) const;
 
   // x_framebuffer = x_ndc * half_width_ + centre_x_, in pixels; float32 as lavapipe has them.
   float half_width_;
