@@ -44,10 +44,8 @@ struct Fragment {
             finite_float(interpolation.reciprocal_w_at(x, y, position))};
   }
 
-  // gl_PointCoord, of points.
-  [[nodiscard]] std::array<float, 2> point_coord(const WindowOffset& from_centre = {}) const {
-    return interpolation.point_coord_at(x, y, from_centre);
-  }
+  // gl_PointCoord; 0 of anything but points.
+  [[nodiscard]] std::array<float, 2> point_coord() const { return interpolation.point_coord_at(x, y, position); }
 };
 
 template <typename P>

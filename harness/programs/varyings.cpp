@@ -25,6 +25,9 @@ Result<void> check_varyings(const Case& drawn_case) {
     if (varying.source == VaryingSource::kFragCoord && varying.components > 4) {
       return failure(fmt::format("{} components of gl_FragCoord", varying.components), "4");
     }
+    if (varying.source == VaryingSource::kPointCoord && varying.components > 2) {
+      return failure(fmt::format("{} components of gl_PointCoord", varying.components), "2");
+    }
   }
   const uint32_t vertex_components = vertex_component_count(drawn_case.varyings);
   for (const Draw& draw : drawn_case.draws) {
@@ -51,6 +54,7 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
     has_centroid_ = has_centroid_ || varying.sampling == Sampling::kCentroid;
     has_sample_ = has_sample_ || varying.sampling == Sampling::kSample;
     has_frag_coord_ = has_frag_coord_ || varying.source == VaryingSource::kFragCoord;
+    has_point_coord_ = has_point_coord_ || varying.source == VaryingSource::kPointCoord;
     const bool is_of_vertices = varying.source == VaryingSource::kVertices;
     for (uint32_t i = 0; i < varying.components; ++i) {
       components_[component_count_] = {.plane = planes.varyings[component_count_].data(),
@@ -75,7 +79,7 @@ FeatureSet renderer_features() {
     features.add(feature);
   }
   for (const Feature feature : {Feature::kPoints, Feature::kLargePoints, Feature::kLines, Feature::kBresenhamLines,
-                                Feature::kWideLines, Feature::kFillModeNonSolid}) {
+                                Feature::kWideLines, Feature::kFillModeNonSolid, Feature::kPointCoord}) {
     features.add(feature);
   }
   return features;

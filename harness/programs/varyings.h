@@ -70,6 +70,7 @@ class VaryingsProgram {
   struct Inputs {
     std::array<renderer::PixelWeights, 3> weights;  // for each kind of sampling
     std::array<float, 4> frag_coord{};
+    std::array<float, 2> point_coord{};
   };
 
   // Calls visit(index of the sample in the planes) for each bit of `samples`.
@@ -92,6 +93,9 @@ class VaryingsProgram {
     if (has_frag_coord_) {
       inputs.frag_coord = fragment.frag_coord();
     }
+    if (has_point_coord_) {
+      inputs.point_coord = fragment.point_coord();
+    }
     return inputs;
   }
 
@@ -99,6 +103,9 @@ class VaryingsProgram {
     const uint32_t i = component.index;
     if (component.source == VaryingSource::kFragCoord) {
       return inputs.frag_coord[i];
+    }
+    if (component.source == VaryingSource::kPointCoord) {
+      return inputs.point_coord[i];
     }
     const auto& [value0, value1, value2] = data.components;
     if (component.interpolation == Interpolation::kFlat) {
@@ -120,6 +127,7 @@ class VaryingsProgram {
   uint32_t component_count_ = 0;
   uint32_t vertex_component_count_ = 0;
   bool has_frag_coord_ = false;
+  bool has_point_coord_ = false;
   bool has_centroid_ = false;
   bool has_sample_ = false;
 };
