@@ -146,6 +146,17 @@ TEST(Lines, AreCutAtTheViewVolumeAndKeepTheirValues) {
   EXPECT_EQ(pixels_of(render(scene)), rectangle(32, 20, 64, 21));
 }
 
+TEST(Lines, VanishWhereTheirCentreLineIsOutsideHoweverWideTheyAre) {
+  TestScene scene = lines();
+  scene.state.line_width = 9;
+  const std::array<std::array<double, 4>, 4> beside = {
+      {{-1, 10, -1, 50}, {65, 10, 65, 50}, {10, -1, 50, -1}, {10, 65, 50, 65}}};
+  for (const auto& [x0, y0, x1, y1] : beside) {
+    scene.positions = {scene.at(x0, y0), scene.at(x1, y1)};
+    EXPECT_TRUE(pixels_of(render(scene)).empty()) << x0 << ", " << y0;
+  }
+}
+
 TEST(Lines, WithAnEndBehindTheEyeShowThePartBeforeIt) {
   TestScene scene = lines();
   // Clip space x = -0.5 + 4.5 t, w = 1 - 2 t: w = x at t = 1.5 / 6.5, framebuffer x from 16 on.
@@ -213,6 +224,10 @@ TEST(BresenhamLines, OfAStripDoNotShareTheirJoints) {
     EXPECT_EQ(pixels_of(planes).size(), 39U);
     EXPECT_EQ(count_of(planes.hits, 1), 39U);
     EXPECT_EQ(planes.hits[planes.pixel(5, 20)], reversed ? 0U : 1U);
+    // The last vertex provoking does not turn a line round.
+    scene.state.provoking_vertex = VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT;
+    EXPECT_EQ(render(scene).hits, planes.hits);
+    scene.state.provoking_vertex = VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT;
     std::reverse(scene.positions.begin(), scene.positions.end());
   }
 }
