@@ -1,9 +1,13 @@
 #include "renderer/coverage.h"
 
+#include <algorithm>
+#include <bit>
 #include <utility>
 
+#include "renderer/bresenham_line.h"
 #include "renderer/clip.h"
 #include "renderer/edge_function.h"
+#include "renderer/scanline.h"
 
 namespace fillrule::renderer {
 namespace {
@@ -94,18 +98,20 @@ uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
 
 // The pixels of the 8x8 block at (x, y) that are in the rectangle, which may be anywhere.
 uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
-  if (x >= rect.left && x + kBlockSize <= rect.right && y >= rect.top && y + kBlockSize <= rect.bottom) {
-    return kFullMask;
+  // Bits [low, high) of 8: the columns, or the rows, of the block between two coordinates.
+  const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
+    const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
+    const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
+    const uint64_t mask = ((1U << high) - 1U) & ~((1U << low) - 1U);
+    return mask;
+  };
+  constexpr uint64_t kFirstColumn = 0x0101010101010101U;
+  const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
+  uint64_t mask = 0;
+  for (uint64_t rows = range_mask(rect.top, rect.bottom, y); rows != 0; rows &= rows - 1) {
+    mask |= uint64_t{0xFF} << (static_cast<uint32_t>(std::countr_zero(rows)) * kBlockSize);
   }
-  const PixelRect within = intersection(rect, {x, y, x + kBlockSize, y + kBlockSize});
-  if (within.empty()) {
-    return 0;
-  }
-  const uint32_t columns =
-      (1U << static_cast<uint32_t>(within.right - x)) - (1U << static_cast<uint32_t>(within.left - x));
-  return (columns * uint64_t{0x0101010101010101U}) &
-         (kFullMask << (static_cast<uint32_t>(within.top - y) * kBlockSize)) &
-         (kFullMask >> (static_cast<uint32_t>(y + kBlockSize - within.bottom) * kBlockSize));
+  return mask & columns;
 }
 
 // One triangle over a rectangle of at most 8x8 pixels, pixel by pixel.
@@ -202,8 +208,20 @@ uint32_t SampledBlock::samples_at(uint32_t bit) const {
   return samples;
 }
 
-void cover_samples(std::span<const FixedPosition> outline, std::span<const SampleArea> samples,
-                   uint32_t subpixel_bits, const PixelRect& rect, SampledTileCoverage& coverage) {
+void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
+           const PixelRect& rect, TileCoverage& coverage) {
+  if (outline.size() == 2) {
+    const BresenhamLine line{outline[0], outline[1], rule.bresenham_width};
+    cover_by_diamond_exit(line, rule.subpixel_bits, rect, coverage);
+  } else if (rule.fill == Fill::kScanline) {
+    cover_by_scanlines(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+  } else {
+    cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+  }
+}
+
+void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
+                   std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage) {
   coverage.count = 0;
   // Which entry the block of a tile's row and column has: all samples' blocks lie alike.
   constexpr uint8_t kNone = 0xFF;
@@ -211,7 +229,7 @@ void cover_samples(std::span<const FixedPosition> outline, std::span<const Sampl
   entries.fill(kNone);
   TileCoverage one;
   for (uint32_t i = 0; i < samples.size(); ++i) {
-    cover(outline, samples[i].sample_fixed, subpixel_bits, rect, one);
+    cover(rule, outline, samples[i].sample_fixed, rect, one);
     for (uint32_t k = 0; k < one.count; ++k) {
       const auto& [x, y, mask] = one.blocks[k];
       constexpr int32_t kBlocksInRow = kTileSize / kBlockSize;

@@ -22,6 +22,7 @@
 #include "cases/model/case.h"
 #include "renderer/depth.h"
 #include "renderer/fixed_point.h"
+#include "renderer/primitive_assembly.h"
 #include "renderer/sample_locations.h"
 
 namespace fillrule::renderer {
@@ -60,38 +61,38 @@ inline float interpolate(float value0, float value1, float value2, const VertexW
 struct PrimitiveInterpolation {
   int32_t anchor_x = 0;  // pixels
   int32_t anchor_y = 0;
-  std::array<WindowPlane, 3> per_w;  // l_i
-  std::array<double, 3> w{};         // clip space
-  WindowPlane depth_framebuffer;     // before clamping and rounding
+  std::array<WindowPlane, 3> per_w;          // l_i
+  std::array<double, 3> w{};                 // clip space
+  WindowPlane depth_framebuffer;             // before clamping and rounding
+  std::array<WindowPlane, 2> point_coord{};  // gl_PointCoord of a point; else 0
 
-  // At the centre of the pixel (x, y).
-  [[nodiscard]] double depth_at(int32_t x, int32_t y) const {
-    return depth_framebuffer.at(x - anchor_x, y - anchor_y);
-  }
-  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y) const {
-    return weights_from_anchor(x - anchor_x, y - anchor_y);
-  }
-
-  // At so much from its centre.
-  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre) const {
+  // All of these: at so much from the centre of the pixel (x, y).
+  [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
     return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
   }
-  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre) const {
-    return weights_from_anchor(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
-  }
+
   // Not positive beyond the horizon.
-  [[nodiscard]] double reciprocal_w_at(int32_t x, int32_t y, const WindowOffset& from_centre) const {
-    const auto [l0, l1, l2] = l_from_anchor(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
-    return l0 + l1 + l2;
+  [[nodiscard]] double reciprocal_w_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    const double x_from_anchor = x - anchor_x + from_centre.x;
+    const double y_from_anchor = y - anchor_y + from_centre.y;
+    return per_w[0].at(x_from_anchor, y_from_anchor) + per_w[1].at(x_from_anchor, y_from_anchor) +
+           per_w[2].at(x_from_anchor, y_from_anchor);
   }
 
- private:
-  [[nodiscard]] std::array<double, 3> l_from_anchor(double x, double y) const {
-    return {per_w[0].at(x, y), per_w[1].at(x, y), per_w[2].at(x, y)};
+  [[nodiscard]] std::array<float, 2> point_coord_at(int32_t x, int32_t y,
+                                                    const WindowOffset& from_centre = {}) const {
+    const auto at = [&](const WindowPlane& plane) {
+      return static_cast<float>(plane.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y));
+    };
+    return {at(point_coord[0]), at(point_coord[1])};
   }
 
-  [[nodiscard]] PixelWeights weights_from_anchor(double x, double y) const {
-    const std::array<double, 3> l = l_from_anchor(x, y);
+  [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    const double x_from_anchor = x - anchor_x + from_centre.x;
+    const double y_from_anchor = y - anchor_y + from_centre.y;
+    const std::array<double, 3> l = {per_w[0].at(x_from_anchor, y_from_anchor),
+                                     per_w[1].at(x_from_anchor, y_from_anchor),
+                                     per_w[2].at(x_from_anchor, y_from_anchor)};
     const double reciprocal_w = l[0] + l[1] + l[2];
     const double greatest = std::max(std::max(std::abs(l[0]), std::abs(l[1])), std::abs(l[2]));
     // Inside the triangle every l_i is in [0, 1/w].
@@ -104,6 +105,7 @@ struct PrimitiveInterpolation {
             .noperspective = {l[0] * w[0], l[1] * w[1], l[2] * w[2]}};
   }
 
+ private:
   // For points that snapping has moved so far out of a sliver, or beyond the horizon 1/w = 0, that extrapolated
   // weights mean nothing: the nearest weights inside the primitive.
   [[nodiscard]] PixelWeights constrained_weights(const std::array<double, 3>& l) const;
@@ -114,5 +116,24 @@ struct PrimitiveInterpolation {
 PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y);
+
+// What a point of a line takes its values from: the nearest point of the segment's line, or the one in the same
+// column or row (of Bresenham lines, by their major direction).
+enum class LineParameter : uint8_t { kProjection, kX, kY };
+
+// Values of the segment between two of the primitive's vertices (Vulkan, "Basic Line Segment Rasterization"). With
+// rows (X, Y, w) as above and the segment's direction D = w_from * (X, Y)_to - w_to * (X, Y)_from
+//   l_from = ((X, Y)_to . D - w_to * p . D) / D . D        l_to = (w_from * p . D - (X, Y)_from . D) / D . D
+// at the window position p: the same three sums hold, and no vertex needs w > 0. A segment without length has the
+// values of its first vertex that can be seen.
+PrimitiveInterpolation make_line_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                               const std::array<ClipPosition, 3>& positions_clip,
+                                               const LineEnds& ends, LineParameter parameter, int32_t anchor_x,
+                                               int32_t anchor_y);
+
+// Values of one of the primitive's vertices, which must have w > 0, all over a square of `size` pixels around it.
+PrimitiveInterpolation make_point_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                                const std::array<ClipPosition, 3>& positions_clip, uint32_t vertex,
+                                                float size, int32_t anchor_x, int32_t anchor_y);
 
 }  // namespace fillrule::renderer

@@ -49,6 +49,7 @@ struct DrawInput {
 // Everything of a draw that does not depend on the program.
 struct PreparedDraw {
   DrawInput input;
+  Shape shape;
   uint32_t subpixel_bits;
   CoverageRule coverage_rule;
   DepthStage depth;
@@ -60,9 +61,6 @@ struct PreparedDraw {
 
   [[nodiscard]] WindowVertex window_vertex(uint32_t vertex, const ClipPosition& pos_clip) const {
     WindowVertex window_vertex = setup.transform.window_vertex(pos_clip);
-    if (input.clip_distances.count + input.cull_distances.count == 0) {
-      return window_vertex;
-    }
     add_user_distances(input.clip_distances.of(vertex), input.cull_distances.of(vertex), window_vertex);
     return window_vertex;
   }
@@ -71,7 +69,7 @@ struct PreparedDraw {
 };
 
 // Refuses what the pipeline cannot draw: a state outside of Vulkan's limits, an index without a vertex, a topology of
-// lines or points.
+// patches or with adjacency.
 Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options);
 
 }  // namespace fillrule::renderer

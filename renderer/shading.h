@@ -33,9 +33,7 @@ struct Fragment {
   WindowOffset centroid;  // a point of both the pixel and the primitive
   const PrimitiveInterpolation& interpolation;
 
-  // At the pixel's centre, and at so much from it.
-  [[nodiscard]] PixelWeights weights() const { return interpolation.weights_at(x, y); }
-  [[nodiscard]] PixelWeights weights(const WindowOffset& from_centre) const {
+  [[nodiscard]] PixelWeights weights(const WindowOffset& from_centre = {}) const {
     return interpolation.weights_at(x, y, from_centre);
   }
 
@@ -45,6 +43,9 @@ struct Fragment {
             finite_float(interpolation.depth_at(x, y, position)),
             finite_float(interpolation.reciprocal_w_at(x, y, position))};
   }
+
+  // gl_PointCoord; 0 of anything but points.
+  [[nodiscard]] std::array<float, 2> point_coord() const { return interpolation.point_coord_at(x, y, position); }
 };
 
 template <typename P>
@@ -59,7 +60,8 @@ concept Program = requires(const P& program, uint32_t vertex, const ShadedPrimit
 };
 
 // The plane equations of a primitive that was set up.
-PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
+PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
+                                          const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline);
 
@@ -74,12 +76,11 @@ struct Shader {
   const PrimitiveInterpolation& interpolation;
 
   void shade(const CoverageBlock& block) const {
-    const DepthStage depth = draw.depth;  // a copy: what the program writes cannot alias it
     for (uint64_t mask = block.mask; mask != 0; mask &= mask - 1) {
       const int32_t bit = std::countr_zero(mask);
       const int32_t x = block.x + bit % kBlockSize;
       const int32_t y = block.y + bit / kBlockSize;
-      if (!depth.tests() || depth.lands(interpolation.depth_at(x, y), draw.input.depth.values[pixel_index(x, y)])) {
+      if (lands(x, y, 0, {})) {
         program.fragment(data, {.x = x, .y = y, .interpolation = interpolation});
       }
     }
@@ -96,23 +97,20 @@ struct Shader {
  private:
   [[nodiscard]] WindowOffset location(uint32_t sample) const { return draw.sample_locations[sample].from_centre(); }
 
-  [[nodiscard]] size_t pixel_index(int32_t x, int32_t y) const {
-    return static_cast<size_t>(y) * draw.input.target_width + static_cast<size_t>(x);
-  }
-
-  [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample) const {
+  [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample, const WindowOffset& from_centre) const {
     if (!draw.depth.tests()) {
       return true;
     }
-    const size_t index = pixel_index(x, y) * draw.input.samples + sample;
-    return draw.depth.lands(interpolation.depth_at(x, y, location(sample)), draw.input.depth.values[index]);
+    const size_t pixel = static_cast<size_t>(y) * draw.input.target_width + static_cast<size_t>(x);
+    float& stored = draw.input.depth.values[pixel * draw.input.samples + sample];
+    return draw.depth.lands(interpolation.depth_at(x, y, from_centre), stored);
   }
 
   void shade_pixel(int32_t x, int32_t y, uint32_t covered) const {
     uint32_t landed = 0;
     for (uint32_t rest = covered & draw.input.state.sample_mask; rest != 0; rest &= rest - 1) {
       const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
-      landed |= static_cast<uint32_t>(lands(x, y, sample)) << sample;
+      landed |= static_cast<uint32_t>(lands(x, y, sample, location(sample))) << sample;
     }
     if (landed == 0) {
       return;
@@ -122,13 +120,14 @@ struct Shader {
     if (covered != (1U << draw.input.samples) - 1) {
       fragment.centroid = location(static_cast<uint32_t>(std::countr_zero(covered)));
     }
-    // Under sample shading one sample at a time, else all at once.
-    for (uint32_t rest = landed; rest != 0; rest &= ~fragment.samples) {
-      if (draw.input.sample_shading) {
-        const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
-        fragment.samples = 1U << sample;
-        fragment.position = location(sample);
-      }
+    if (!draw.input.sample_shading) {
+      program.fragment(data, fragment);
+      return;
+    }
+    for (uint32_t rest = landed; rest != 0; rest &= rest - 1) {
+      const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
+      fragment.samples = 1U << sample;
+      fragment.position = location(sample);
       program.fragment(data, fragment);
     }
   }
@@ -161,8 +160,9 @@ void shade_tile(const PreparedDraw& draw, const P& program, const std::vector<Cl
       if (coverage.count == 0) {
         return;
       }
-      const std::array<uint32_t, 3> vertices = draw.assembly.triangle(primitive.primitive);
-      const PrimitiveInterpolation interpolation = make_interpolation(draw, vertices, positions_clip, outline);
+      const std::array<uint32_t, 3> vertices = draw.assembly.vertices(primitive.primitive);
+      const PrimitiveInterpolation interpolation =
+          make_interpolation(draw, primitive, vertices, positions_clip, outline);
       const typename P::PrimitiveData data = program.primitive_data(
           {.primitive = primitive.primitive, .vertices = vertices, .front_facing = primitive.front_facing});
       const Shader<P> shader{draw, program, data, interpolation};

@@ -20,6 +20,12 @@ struct HomogeneousPosition {
   Real w = 0;
 };
 
+// Framebuffer coordinates in pixels, y down.
+struct FramebufferPosition {
+  double x = 0;
+  double y = 0;
+};
+
 // The planes against which triangles are clipped; each has a bit of its own in a vertex' clip code. The sides are
 // those of the guard band, not of the viewport: pixels outside the viewport are left out by a rectangle instead. The
 // near and far planes come first, so that a volume without them begins at kLeft.
@@ -59,6 +65,15 @@ class WindowTransform {
   // through double precision.
   [[nodiscard]] WindowVertex window_vertex(const ClipPosition& pos_clip) const;
 
+  // Where a vertex inside of the view volume is, before it is snapped: by the same arithmetic as window_vertex() has.
+  [[nodiscard]] FramebufferPosition vertex_framebuffer(const ClipPosition& pos_clip) const;
+
+  // The same for a position made by clipping, in double precision; w must be positive.
+  [[nodiscard]] FramebufferPosition framebuffer(const HomogeneousPosition<double>& pos_clip) const;
+
+  // Within the sides of the viewport, and between near and far where those clip. False unless w > 0.
+  [[nodiscard]] bool is_inside_clip_volume(const ClipPosition& pos_clip) const;
+
   // Double precision all the way to the snap; w must be positive.
   [[nodiscard]] FixedPosition project(const HomogeneousPosition<double>& pos_clip) const;
 
@@ -82,8 +97,8 @@ class WindowTransform {
   [[nodiscard]] uint32_t subpixel_bits() const { return subpixel_bits_; }
 
  private:
-  [[nodiscard]] bool is_inside_clip_volume(const ClipPosition& pos_clip) const;
-  [[nodiscard]] FixedPosition project_inside(const ClipPosition& pos_clip) const;
+  [[nodiscard]] FramebufferPosition framebuffer_as_lavapipe(const ClipPosition& pos_clip) const;
+  [[nodiscard]] FixedPosition snapped(const FramebufferPosition& position_framebuffer) const;
 
   // x_framebuffer = x_ndc * half_width_ + centre_x_, in pixels; float32 as lavapipe has them.
   float half_width_;

@@ -42,12 +42,7 @@ class VaryingsProgram {
 
   void fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const {
     const size_t pixel = static_cast<size_t>(fragment.y) * width_ + static_cast<size_t>(fragment.x);
-    const auto for_each_sample = [&](const auto& visit) {
-      for (uint32_t samples = fragment.samples; samples != 0; samples &= samples - 1) {
-        visit(pixel * samples_ + static_cast<size_t>(std::countr_zero(samples)));
-      }
-    };
-    for_each_sample([&](size_t sample) {
+    for_each_sample(pixel, fragment.samples, [&](size_t sample) {
       ++hits_[sample];
       owner_[sample] = data.owner;
       front_facing_[sample] = data.front_facing;
@@ -55,59 +50,70 @@ class VaryingsProgram {
     if (component_count_ == 0) {
       return;
     }
-    evaluate(data, fragment,
-             [&](float* plane, float value) { for_each_sample([&](size_t sample) { plane[sample] = value; }); });
+    const Inputs inputs = inputs_of(fragment);
+    for (uint32_t i = 0; i < component_count_; ++i) {
+      const float value = value_of(components_[i], data, inputs);
+      for_each_sample(pixel, fragment.samples, [&](size_t sample) { components_[i].plane[sample] = value; });
+    }
   }
 
  private:
-  static constexpr size_t kMaxComponents = size_t{kMaxVaryings} * kMaxVaryingComponents;
-
-  // The weights that a component is interpolated with: two for each kind of sampling.
-  static constexpr uint32_t weights_index(Sampling sampling, Interpolation interpolation) {
-    return 2 * static_cast<uint32_t>(sampling) + (interpolation == Interpolation::kNoperspective ? 1U : 0U);
-  }
-
-  // How a component gets its value.
-  enum class Kind : uint8_t { kInterpolated, kFlat, kFragCoord };
-
   struct Component {
     float* plane = nullptr;
-    Kind kind = Kind::kInterpolated;
-    uint32_t weights = 0;
-    uint32_t index = 0;  // in the vertex' components, or in the built-in
+    Interpolation interpolation = Interpolation::kSmooth;
+    Sampling sampling = Sampling::kCenter;
+    VaryingSource source = VaryingSource::kVertices;
+    uint32_t index = 0;  // of the component in the vertex, or in the built-in
   };
 
-  // Calls write(plane, value) for each component.
-  template <typename Write>
-  void evaluate(const PrimitiveData& data, const renderer::Fragment& fragment, const Write& write) const {
-    // Of these, only what a varying uses is filled in.
-    std::array<renderer::VertexWeights, 6> weights;
-    std::array<float, 4> frag_coord;
-    const auto set_weights = [&](Sampling sampling, const renderer::PixelWeights& at_point) {
-      weights[weights_index(sampling, Interpolation::kSmooth)] = at_point.smooth;
-      weights[weights_index(sampling, Interpolation::kNoperspective)] = at_point.noperspective;
-    };
-    set_weights(Sampling::kCenter, fragment.weights());
+  // What a fragment's values come from; only what a varying uses is filled in.
+  struct Inputs {
+    std::array<renderer::PixelWeights, 3> weights;  // for each kind of sampling
+    std::array<float, 4> frag_coord{};
+    std::array<float, 2> point_coord{};
+  };
+
+  // Calls visit(index of the sample in the planes) for each bit of `samples`.
+  template <typename Visit>
+  void for_each_sample(size_t pixel, uint32_t samples, const Visit& visit) const {
+    for (; samples != 0; samples &= samples - 1) {
+      visit(pixel * samples_ + static_cast<size_t>(std::countr_zero(samples)));
+    }
+  }
+
+  [[nodiscard]] Inputs inputs_of(const renderer::Fragment& fragment) const {
+    Inputs inputs;
+    inputs.weights[static_cast<size_t>(Sampling::kCenter)] = fragment.weights();
     if (has_centroid_) {
-      set_weights(Sampling::kCentroid, fragment.weights(fragment.centroid));
+      inputs.weights[static_cast<size_t>(Sampling::kCentroid)] = fragment.weights(fragment.centroid);
     }
     if (has_sample_) {
-      set_weights(Sampling::kSample, fragment.weights(fragment.position));
+      inputs.weights[static_cast<size_t>(Sampling::kSample)] = fragment.weights(fragment.position);
     }
     if (has_frag_coord_) {
-      frag_coord = fragment.frag_coord();
+      inputs.frag_coord = fragment.frag_coord();
+    }
+    if (has_point_coord_) {
+      inputs.point_coord = fragment.point_coord();
+    }
+    return inputs;
+  }
+
+  [[nodiscard]] static float value_of(const Component& component, const PrimitiveData& data, const Inputs& inputs) {
+    const uint32_t i = component.index;
+    if (component.source == VaryingSource::kFragCoord) {
+      return inputs.frag_coord[i];
+    }
+    if (component.source == VaryingSource::kPointCoord) {
+      return inputs.point_coord[i];
     }
     const auto& [value0, value1, value2] = data.components;
-    for (uint32_t i = 0; i < component_count_; ++i) {
-      const Component& component = components_[i];
-      const uint32_t index = component.index;
-      if (component.kind == Kind::kInterpolated) {
-        write(component.plane,
-              renderer::interpolate(value0[index], value1[index], value2[index], weights[component.weights]));
-      } else {
-        write(component.plane, component.kind == Kind::kFlat ? value0[index] : frag_coord[index]);
-      }
+    if (component.interpolation == Interpolation::kFlat) {
+      return value0[i];
     }
+    const auto& [smooth, noperspective] = inputs.weights[static_cast<size_t>(component.sampling)];
+    const bool is_smooth = component.interpolation == Interpolation::kSmooth;
+    return renderer::interpolate(value0[i], value1[i], value2[i], is_smooth ? smooth : noperspective);
   }
 
   const Draw* draw_;
@@ -117,10 +123,11 @@ class VaryingsProgram {
   uint32_t* hits_;
   uint32_t* owner_;
   uint32_t* front_facing_;
-  std::array<Component, kMaxComponents> components_;
+  std::array<Component, size_t{kMaxVaryings} * kMaxVaryingComponents> components_;
   uint32_t component_count_ = 0;
   uint32_t vertex_component_count_ = 0;
   bool has_frag_coord_ = false;
+  bool has_point_coord_ = false;
   bool has_centroid_ = false;
   bool has_sample_ = false;
 };

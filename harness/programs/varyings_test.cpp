@@ -146,6 +146,41 @@ TEST(DrawCase, FragCoordStandsBetweenVertexVaryings) {
   EXPECT_EQ(planes->varyings[4][4 * pixel + 1], 1 - 3.875F / 32);
 }
 
+TEST(DrawCase, PointCoordGoesFromTheLeftTopOfThePoint) {
+  Case drawn_case = two_draws();
+  drawn_case.draws.pop_back();
+  drawn_case.varyings = {{"at", 2, Interpolation::kSmooth, Sampling::kCenter, VaryingSource::kPointCoord},
+                         {"value", 1, Interpolation::kSmooth}};
+  Draw& draw = drawn_case.draws[0];
+  draw.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+  draw.positions = {{0, 0, 0.5F, 1}};  // the middle of 8x8 pixels
+  draw.varyings = {7};
+  draw.point_sizes = {4};
+  Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  const size_t pixel = size_t{5} * 8 + 2;
+  EXPECT_EQ(planes->hits[pixel], 1U);
+  EXPECT_EQ(planes->varyings[0][pixel], 0.125F);
+  EXPECT_EQ(planes->varyings[1][pixel], 0.875F);
+  EXPECT_EQ(planes->varyings[2][pixel], 7);
+  // At samples where it is asked for there.
+  drawn_case.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  drawn_case.varyings[0].sampling = Sampling::kSample;
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_EQ(planes->varyings[0][4 * pixel + 1], 0.875F / 4);
+  EXPECT_EQ(planes->varyings[1][4 * pixel + 1], 3.375F / 4);
+  // Nothing else has one.
+  draw.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+  draw.positions = {{-1, 0, 0.5F, 1}, {1, 0, 0.5F, 1}};
+  draw.varyings = {7, 7};
+  draw.point_sizes.clear();
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_EQ(planes->hits[4 * pixel], 0U);
+  EXPECT_EQ(planes->varyings[0], std::vector<float>(planes->hits.size()));
+}
+
 // The window's x as a varying of each kind: where it was evaluated.
 TEST(DrawCase, EveryKindOfSamplingWritesAllSamplesOfItsFragment) {
   Case drawn_case = two_draws();
