@@ -258,6 +258,8 @@ class CaseJudge {
     for (const exact::Entry& entry : entries) {
       const exact::Piece& piece = expectation.pieces()[entry.piece];
       if (!piece.shape->inside_volume() || piece.shape->undefined()) return false;
+      // Which fragments a Bresenham line has is left open by more than rounding.
+      if (piece.kind == exact::Piece::Kind::kBresenhamLine) return false;
       // Depth within the tolerance of what is stored may pass on one side and fail on the other.
       const RasterState& state = case_.draws[piece.draw].state;
       // Where rounding may turn a primitive over, culling may go either way, as facing may be found before or after.

@@ -1,23 +1,29 @@
 // The program `varyings`: final clip-space positions and packed varyings, handed on without arithmetic.
 //
-// Components of equal interpolation are packed into vec4 slots; NUM_SMOOTH, NUM_NOPERSPECTIVE and NUM_FLAT say how many
-// slots of each kind there are. PRIMITIVE_ID says whether the fragment stage can read gl_PrimitiveID.
-// Its twin for the renderer is varyings.h.
+// Components of equal kind are packed into vec4 slots. INTERPOLATED(S) calls S(i, qualifiers) for each slot i that the
+// vertices fill, and there are NUM_INTERPOLATED of them. POINTS says whether points are drawn, NUM_CLIP_DISTANCES and
+// NUM_CULL_DISTANCES how many user distances there are, and PRIMITIVE_ID whether the fragment stage can read
+// gl_PrimitiveID. Its twin for the renderer is varyings.h.
 #version 450
 
 layout(location = 0) in vec4 position_clip;
 
-#if NUM_SMOOTH > 0
-layout(location = 1) in vec4 smooth_in[NUM_SMOOTH];
-layout(location = 0) smooth out vec4 smooth_out[NUM_SMOOTH];
+#define DECLARE(i, qualifiers)               \
+  layout(location = 1 + i) in vec4 in_##i;   \
+  layout(location = i) qualifiers out vec4 out_##i;
+#define HAND_ON(i, qualifiers) out_##i = in_##i;
+INTERPOLATED(DECLARE)
+
+#if POINTS
+layout(location = 1 + NUM_INTERPOLATED) in float point_size;
 #endif
-#if NUM_NOPERSPECTIVE > 0
-layout(location = 1 + NUM_SMOOTH) in vec4 noperspective_in[NUM_NOPERSPECTIVE];
-layout(location = NUM_SMOOTH) noperspective out vec4 noperspective_out[NUM_NOPERSPECTIVE];
+#if NUM_CLIP_DISTANCES > 0
+layout(location = 2 + NUM_INTERPOLATED) in float clip_distances[NUM_CLIP_DISTANCES];
+out float gl_ClipDistance[NUM_CLIP_DISTANCES];
 #endif
-#if NUM_FLAT > 0
-layout(location = 1 + NUM_SMOOTH + NUM_NOPERSPECTIVE) in vec4 flat_in[NUM_FLAT];
-layout(location = NUM_SMOOTH + NUM_NOPERSPECTIVE) flat out vec4 flat_out[NUM_FLAT];
+#if NUM_CULL_DISTANCES > 0
+layout(location = 2 + NUM_INTERPOLATED + NUM_CLIP_DISTANCES) in float cull_distances[NUM_CULL_DISTANCES];
+out float gl_CullDistance[NUM_CULL_DISTANCES];
 #endif
 
 #if !PRIMITIVE_ID
@@ -28,19 +34,20 @@ layout(push_constant) uniform Numbering {
   uint vertices_per_primitive;
   uint first_provoking_vertex;
 };
-layout(location = NUM_SMOOTH + NUM_NOPERSPECTIVE + NUM_FLAT) flat out uint primitive_out;
+layout(location = NUM_INTERPOLATED) flat out uint primitive_out;
 #endif
 
 void main() {
   gl_Position = position_clip;
-#if NUM_SMOOTH > 0
-  smooth_out = smooth_in;
+  INTERPOLATED(HAND_ON)
+#if POINTS
+  gl_PointSize = point_size;
 #endif
-#if NUM_NOPERSPECTIVE > 0
-  noperspective_out = noperspective_in;
+#if NUM_CLIP_DISTANCES > 0
+  for (int i = 0; i < NUM_CLIP_DISTANCES; ++i) gl_ClipDistance[i] = clip_distances[i];
 #endif
-#if NUM_FLAT > 0
-  flat_out = flat_in;
+#if NUM_CULL_DISTANCES > 0
+  for (int i = 0; i < NUM_CULL_DISTANCES; ++i) gl_CullDistance[i] = cull_distances[i];
 #endif
 #if !PRIMITIVE_ID
   primitive_out = first_primitive + (uint(gl_VertexIndex) - first_provoking_vertex) / vertices_per_primitive;

@@ -4,6 +4,7 @@
 #include <cfloat>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace fillrule::exact {
 namespace {
@@ -137,12 +138,22 @@ Interval LineValues::places(double dx, double dy) const {
   const double x = segment_.direction_x();
   const double y = segment_.direction_y();
   const double distance = segment_.distance(dx, dy);
-  const bool x_major = std::abs(x) >= std::abs(y);
-  // From the sample along the minor axis to the line.
-  const double by_major = projected + (x_major ? -distance * y / x : distance * x / y);
+  // Rounding the ends may make a line at nearly 45 degrees x-major or y-major.
+  const double lean = std::abs(x) - std::abs(y);
+  const double turn = moves_.any_direction ? 1 : std::numbers::sqrt2 * moves_.turn;
+  const bool may_be_x_major = lean >= -turn;
+  const bool may_be_y_major = lean <= turn;
   // The fragment that a wide line's others follow is within a pixel and a half of the line along the minor axis.
   const double others = rule_ == Rule::kWideBresenham ? 1.5 * std::min(std::abs(x), std::abs(y)) : 0;
-  return {.low = std::min(projected, by_major - others), .high = std::max(projected, by_major + others)};
+  Interval interval{.low = projected, .high = projected};
+  // From the sample along the minor axis to the line.
+  const auto add = [&](double by_major) {
+    interval.low = std::min(interval.low, by_major - others);
+    interval.high = std::max(interval.high, by_major + others);
+  };
+  if (may_be_x_major) add(projected - distance * y / x);
+  if (may_be_y_major) add(projected + distance * x / y);
+  return interval;
 }
 
 // How far rounding the ends moves the sample's place along the line.
