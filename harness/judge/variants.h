@@ -9,8 +9,8 @@
 namespace fillrule::judge {
 
 // Every draw as a list of triangles without indices. `order` picks each triangle's vertices: {1, 2, 0} rotates them,
-// {0, 2, 1} turns the winding over. Flat varyings keep their value, whichever vertex comes first. Draws of anything but
-// filled triangles are left as they are, here and in with_front_faces_flipped().
+// {0, 2, 1} turns the winding over. Flat varyings keep their value, whichever vertex comes first. Draws of anything
+// but filled triangles are left as they are, here and in with_front_faces_flipped().
 Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& order);
 
 Case with_front_faces_flipped(Case test_case);
