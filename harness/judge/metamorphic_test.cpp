@@ -54,7 +54,8 @@ std::map<std::string, CheckResult> checks_of(
   const Result<Planes> original = draw_rightly(test_case, 0);
   EXPECT_TRUE(original);
   std::map<std::string, CheckResult> results;
-  for (CheckResult& check : metamorphic_checks(test_case, {.draw = draw}, *original)) {
+  for (CheckResult& check :
+       metamorphic_checks(test_case, {.draw = draw, .features = programs::renderer_features()}, *original)) {
     results[check.name] = std::move(check);
   }
   EXPECT_EQ(results.size(), kChecks.size());
@@ -188,6 +189,15 @@ TEST(Variants, LeaveLinesAndOutlinesAsTheyAre) {
     EXPECT_EQ(varied.draws[i].positions, lines.draws[i].positions);
     EXPECT_EQ(varied.draws[i].state.front_face, lines.draws[i].state.front_face);
   }
+}
+
+TEST(Metamorphic, AUserClipPlaneThatCutsNothingAddsUpToMoreThanTheWhole) {
+  const auto ignores_planes = [](const Case& test_case, uint32_t threads) {
+    Case uncut = test_case;
+    for (Draw& draw : uncut.draws) draw.clip_distance_count = 0;
+    return draw_rightly(uncut, threads);
+  };
+  expect_failed(checks_of(layered(), ignores_planes), "partition");
 }
 
 }  // namespace
