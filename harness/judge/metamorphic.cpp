@@ -138,6 +138,10 @@ class Checker {
   }
 
   CheckResult scaled_clip_space(std::string_view name) {
+    const bool reads_w = std::any_of(case_.varyings.begin(), case_.varyings.end(), [](const Varying& varying) {
+      return varying.source == VaryingSource::kFragCoord;
+    });
+    if (reads_w) return does_not_fit(name, "gl_FragCoord.w is another");
     Case scaled = case_;
     if (!scale_clip_space(scaled, kScaleExponent))
       return does_not_fit(name, "scaling leaves the normal float32 numbers");

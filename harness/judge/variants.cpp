@@ -10,22 +10,35 @@
 namespace fillrule::judge {
 namespace {
 
+void append_some(const std::vector<float>& from, size_t vertex, size_t count, std::vector<float>& to) {
+  const auto first = from.begin() + static_cast<ptrdiff_t>(vertex * count);
+  to.insert(to.end(), first, first + static_cast<ptrdiff_t>(count));
+}
+
+// A corner that has the flat varyings of the provoking vertex and all else of its own.
+void append_corner(const Draw& draw, uint32_t vertex, uint32_t provoking, const std::vector<Varying>& varyings,
+                   Draw& list) {
+  list.positions.push_back(draw.positions[vertex]);
+  append_some(draw.clip_distances, vertex, draw.clip_distance_count, list.clip_distances);
+  append_some(draw.cull_distances, vertex, draw.cull_distance_count, list.cull_distances);
+  const size_t stride = vertex_component_count(varyings);
+  size_t component = 0;
+  for (const Varying& varying : varyings) {
+    if (varying.source != VaryingSource::kVertices) continue;
+    const uint32_t source = varying.interpolation == Interpolation::kFlat ? provoking : vertex;
+    for (uint32_t c = 0; c < varying.components; ++c, ++component) {
+      list.varyings.push_back(draw.varyings[source * stride + component]);
+    }
+  }
+}
+
 Draw as_triangle_list(const Draw& draw, const std::vector<Varying>& varyings, const std::array<uint32_t, 3>& order) {
   Draw list{.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, .state = draw.state};
-  const size_t stride = component_count(varyings);
+  list.clip_distance_count = draw.clip_distance_count;
+  list.cull_distance_count = draw.cull_distance_count;
   for (const exact::AssembledTriangle& triangle : exact::assemble(draw)) {
     const uint32_t provoking = triangle.vertices[triangle.provoking];
-    for (const uint32_t corner : order) {
-      const uint32_t vertex = triangle.vertices[corner];
-      list.positions.push_back(draw.positions[vertex]);
-      size_t component = 0;
-      for (const Varying& varying : varyings) {
-        const uint32_t source = varying.interpolation == Interpolation::kFlat ? provoking : vertex;
-        for (uint32_t c = 0; c < varying.components; ++c, ++component) {
-          list.varyings.push_back(draw.varyings[source * stride + component]);
-        }
-      }
-    }
+    for (const uint32_t corner : order) append_corner(draw, triangle.vertices[corner], provoking, varyings, list);
   }
   return list;
 }
