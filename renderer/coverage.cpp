@@ -4,6 +4,7 @@
 #include <bit>
 #include <utility>
 
+#include "renderer/bresenham_line.h"
 #include "renderer/clip.h"
 #include "renderer/edge_function.h"
 #include "renderer/scanline.h"
@@ -101,7 +102,8 @@ uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
   const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
     const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
     const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
-    return uint64_t{(1U << high) - 1U} & ~uint64_t{(1U << low) - 1U};
+    const uint64_t mask = ((1U << high) - 1U) & ~((1U << low) - 1U);
+    return mask;
   };
   constexpr uint64_t kFirstColumn = 0x0101010101010101U;
   const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
@@ -208,7 +210,10 @@ uint32_t SampledBlock::samples_at(uint32_t bit) const {
 
 void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
            const PixelRect& rect, TileCoverage& coverage) {
-  if (rule.fill == Fill::kScanline) {
+  if (outline.size() == 2) {
+    const BresenhamLine line{outline[0], outline[1], rule.bresenham_width};
+    cover_by_diamond_exit(line, rule.subpixel_bits, rect, coverage);
+  } else if (rule.fill == Fill::kScanline) {
     cover_by_scanlines(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
   } else {
     cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage);

@@ -46,8 +46,11 @@ enum class Fill : uint8_t {
 struct CoverageRule {
   Fill fill = Fill::kEdgeFunction;
   uint32_t subpixel_bits = kMaxSubpixelBits;
+  uint32_t bresenham_width = 1;  // pixels
 };
 
+// By the chosen fill. An outline of two vertices is a Bresenham line from the first to the second, whose pixels are
+// covered wherever their samples are.
 void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, const FixedPosition& sample_fixed,
            const PixelRect& rect, TileCoverage& coverage);
 

@@ -63,7 +63,7 @@ TEST(DepthBias, GreatestDepthOfAPolygonBeyondTheClipVolume) {
   // To z = 4, of which z = 1 is seen.
   EXPECT_NEAR(bias_at_origin({ruler.at(0, 0, 0), ruler.at(64, 0, 4), ruler.at(0, 64, 0)}, 0.5 / 16), 0x1p-4, 1e-7);
   // Behind the eye: z = w / 4 where it is seen.
-  EXPECT_NEAR(bias_at_origin({{-1, -1, 0.25F, 1}, {3, -1, 0.25F, 1}, {-1, -3, -0.25F, -1}}, 0.25), 0x1p-6, 1e-7);
+  EXPECT_NEAR(bias_at_origin({{-1, -1, 0.25F, 1}, {3, -1, 0.25F, 1}, {-1, 3, -0.25F, -1}}, 0.25), 0x1p-6, 1e-7);
 }
 
 }  // namespace

@@ -6,7 +6,9 @@
 //   difference of two      |d| <= 2^30          int32
 //   product of two of them      <= 2^60          int64
 //   edge function, 2 x area    <= 2^61          int64 (twice the area of a triangle in that square is <= 2^60)
-//   sum over a polygon's 7 pieces <= 7 * 2^60   int64
+//   sum over a polygon's pieces <= 2^61         int64
+// The last one since the pieces up to any of them make a polygon that is convex but for snapping, so that its area is
+// that of the square at most, and a subpixel along its circumference (2^32 subpixels).
 #pragma once
 
 #include <algorithm>

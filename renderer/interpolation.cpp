@@ -47,6 +47,15 @@ WindowPlane weighted_sum(const std::array<WindowPlane, 3>& planes, const std::ar
   return sum;
 }
 
+void set_depth(const std::array<ClipPosition, 3>& positions_clip, const DepthTransform& depth_transform,
+               PrimitiveInterpolation& interpolation) {
+  WindowPlane& depth = interpolation.depth_framebuffer;
+  depth = weighted_sum(interpolation.per_w, {positions_clip[0][2], positions_clip[1][2], positions_clip[2][2]});
+  depth.at_anchor = depth.at_anchor * depth_transform.scale + depth_transform.offset;
+  depth.step_x *= depth_transform.scale;
+  depth.step_y *= depth_transform.scale;
+}
+
 }  // namespace
 
 PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
@@ -54,11 +63,9 @@ PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const Dept
                                           int32_t anchor_y) {
   PrimitiveInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y};
   std::array<Vector, 3> rows;
-  std::array<double, 3> z{};
   for (size_t i = 0; i < 3; ++i) {
     rows[i] = window_row(viewport, positions_clip[i], anchor_x, anchor_y);
     interpolation.w[i] = positions_clip[i][3];
-    z[i] = positions_clip[i][2];
   }
 
   const std::array<Vector, 3> adjugate = {cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])};
@@ -75,11 +82,49 @@ PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const Dept
     }
   }
 
-  WindowPlane& depth = interpolation.depth_framebuffer;
-  depth = weighted_sum(interpolation.per_w, z);
-  depth.at_anchor = depth.at_anchor * depth_transform.scale + depth_transform.offset;
-  depth.step_x *= depth_transform.scale;
-  depth.step_y *= depth_transform.scale;
+  set_depth(positions_clip, depth_transform, interpolation);
+  return interpolation;
+}
+
+PrimitiveInterpolation make_line_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                               const std::array<ClipPosition, 3>& positions_clip,
+                                               const LineEnds& ends, LineParameter parameter, int32_t anchor_x,
+                                               int32_t anchor_y) {
+  // A vertex that is no end has no weight anywhere; nor may its w count.
+  PrimitiveInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y, .w = {1, 1, 1}};
+  const Vector from = window_row(viewport, positions_clip[ends.from], anchor_x, anchor_y);
+  const Vector to = window_row(viewport, positions_clip[ends.to], anchor_x, anchor_y);
+  interpolation.w[ends.from] = from[2];
+  interpolation.w[ends.to] = to[2];
+  const double dx = parameter == LineParameter::kY ? 0 : to[0] * from[2] - from[0] * to[2];
+  const double dy = parameter == LineParameter::kX ? 0 : to[1] * from[2] - from[1] * to[2];
+  const double length_squared = dx * dx + dy * dy;
+  if (length_squared > 0) {
+    const auto along = [&](const Vector& row) { return (row[0] * dx + row[1] * dy) / length_squared; };
+    const double step_x = dx / length_squared;
+    const double step_y = dy / length_squared;
+    interpolation.per_w[ends.from] = {.at_anchor = along(to), .step_x = -to[2] * step_x, .step_y = -to[2] * step_y};
+    interpolation.per_w[ends.to] = {
+        .at_anchor = -along(from), .step_x = from[2] * step_x, .step_y = from[2] * step_y};
+  } else {
+    const uint8_t visible = from[2] > 0 ? ends.from : ends.to;
+    interpolation.per_w[visible].at_anchor = 1 / interpolation.w[visible];
+  }
+  set_depth(positions_clip, depth_transform, interpolation);
+  return interpolation;
+}
+
+PrimitiveInterpolation make_point_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                                const std::array<ClipPosition, 3>& positions_clip, uint32_t vertex,
+                                                float size, int32_t anchor_x, int32_t anchor_y) {
+  PrimitiveInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y, .w = {1, 1, 1}};
+  const Vector row = window_row(viewport, positions_clip[vertex], anchor_x, anchor_y);
+  interpolation.w[vertex] = row[2];
+  interpolation.per_w[vertex].at_anchor = 1 / row[2];
+  const double step = 1 / double{size};
+  interpolation.point_coord = {{{.at_anchor = 0.5 - row[0] / row[2] * step, .step_x = step},
+                                {.at_anchor = 0.5 - row[1] / row[2] * step, .step_y = step}}};
+  set_depth(positions_clip, depth_transform, interpolation);
   return interpolation;
 }
 

@@ -22,6 +22,7 @@
 #include "cases/model/case.h"
 #include "renderer/depth.h"
 #include "renderer/fixed_point.h"
+#include "renderer/primitive_assembly.h"
 #include "renderer/sample_locations.h"
 
 namespace fillrule::renderer {
@@ -43,9 +44,8 @@ struct PixelWeights {
   VertexWeights noperspective;
 };
 
-// The value with these weights, rounded to float32 once. Never infinite for finite values.
-inline float interpolate(float value0, float value1, float value2, const VertexWeights& weights) {
-  const double value = weights[0] * double{value0} + weights[1] * double{value1} + weights[2] * double{value2};
+// To float32; never infinite for a finite value.
+inline float finite_float(double value) {
   const auto rounded = static_cast<float>(value);
   if (std::isinf(rounded) && std::isfinite(value)) {
     return std::copysign(std::numeric_limits<float>::max(), rounded);
@@ -53,16 +53,38 @@ inline float interpolate(float value0, float value1, float value2, const VertexW
   return rounded;
 }
 
+// The value with these weights, rounded to float32 once. Never infinite for finite values.
+inline float interpolate(float value0, float value1, float value2, const VertexWeights& weights) {
+  return finite_float(weights[0] * double{value0} + weights[1] * double{value1} + weights[2] * double{value2});
+}
+
 struct PrimitiveInterpolation {
   int32_t anchor_x = 0;  // pixels
   int32_t anchor_y = 0;
-  std::array<WindowPlane, 3> per_w;  // l_i
-  std::array<double, 3> w{};         // clip space
-  WindowPlane depth_framebuffer;     // before clamping and rounding
+  std::array<WindowPlane, 3> per_w;          // l_i
+  std::array<double, 3> w{};                 // clip space
+  WindowPlane depth_framebuffer;             // before clamping and rounding
+  std::array<WindowPlane, 2> point_coord{};  // gl_PointCoord of a point; else 0
 
   // All of these: at so much from the centre of the pixel (x, y).
   [[nodiscard]] double depth_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
     return depth_framebuffer.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y);
+  }
+
+  // Not positive beyond the horizon.
+  [[nodiscard]] double reciprocal_w_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
+    const double x_from_anchor = x - anchor_x + from_centre.x;
+    const double y_from_anchor = y - anchor_y + from_centre.y;
+    return per_w[0].at(x_from_anchor, y_from_anchor) + per_w[1].at(x_from_anchor, y_from_anchor) +
+           per_w[2].at(x_from_anchor, y_from_anchor);
+  }
+
+  [[nodiscard]] std::array<float, 2> point_coord_at(int32_t x, int32_t y,
+                                                    const WindowOffset& from_centre = {}) const {
+    const auto at = [&](const WindowPlane& plane) {
+      return static_cast<float>(plane.at(x - anchor_x + from_centre.x, y - anchor_y + from_centre.y));
+    };
+    return {at(point_coord[0]), at(point_coord[1])};
   }
 
   [[nodiscard]] PixelWeights weights_at(int32_t x, int32_t y, const WindowOffset& from_centre = {}) const {
@@ -94,5 +116,24 @@ struct PrimitiveInterpolation {
 PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y);
+
+// What a point of a line takes its values from: the nearest point of the segment's line, or the one in the same
+// column or row (of Bresenham lines, by their major direction).
+enum class LineParameter : uint8_t { kProjection, kX, kY };
+
+// Values of the segment between two of the primitive's vertices (Vulkan, "Basic Line Segment Rasterization"). With
+// rows (X, Y, w) as above and the segment's direction D = w_from * (X, Y)_to - w_to * (X, Y)_from
+//   l_from = ((X, Y)_to . D - w_to * p . D) / D . D        l_to = (w_from * p . D - (X, Y)_from . D) / D . D
+// at the window position p: the same three sums hold, and no vertex needs w > 0. A segment without length has the
+// values of its first vertex that can be seen.
+PrimitiveInterpolation make_line_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                               const std::array<ClipPosition, 3>& positions_clip,
+                                               const LineEnds& ends, LineParameter parameter, int32_t anchor_x,
+                                               int32_t anchor_y);
+
+// Values of one of the primitive's vertices, which must have w > 0, all over a square of `size` pixels around it.
+PrimitiveInterpolation make_point_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
+                                                const std::array<ClipPosition, 3>& positions_clip, uint32_t vertex,
+                                                float size, int32_t anchor_x, int32_t anchor_y);
 
 }  // namespace fillrule::renderer

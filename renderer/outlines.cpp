@@ -6,8 +6,8 @@
 namespace fillrule::renderer {
 namespace {
 
-FixedPosition snapped(const FramebufferPosition& position, uint32_t subpixel_bits) {
-  return {snap(position.x, subpixel_bits), snap(position.y, subpixel_bits)};
+int32_t snap_away(double coordinate, uint32_t subpixel_bits) {
+  return static_cast<int32_t>(std::round(coordinate * (1U << subpixel_bits)));
 }
 
 FixedPosition operator+(const FixedPosition& a, const FixedPosition& b) {
@@ -25,9 +25,13 @@ float effective_point_size(float point_size) {
   return std::min(std::max(kMinPointSize, point_size), kMaxPointSize);
 }
 
+FixedPosition snapped_end(const FramebufferPosition& position, uint32_t subpixel_bits) {
+  return {snap_away(position.x, subpixel_bits), snap_away(position.y, subpixel_bits)};
+}
+
 FixedQuad point_outline(const FramebufferPosition& centre, float effective_size, uint32_t subpixel_bits) {
-  const int32_t size = snap(effective_size, subpixel_bits);
-  const FixedPosition low = snapped(centre, subpixel_bits) - FixedPosition{size / 2, size / 2};
+  const int32_t size = snap_away(effective_size, subpixel_bits);
+  const FixedPosition low = snapped_end(centre, subpixel_bits) - FixedPosition{size / 2, size / 2};
   const FixedPosition high = low + FixedPosition{size, size};
   return {{low, {high.x_fixed, low.y_fixed}, high, {low.x_fixed, high.y_fixed}}};
 }
@@ -42,9 +46,9 @@ std::optional<FixedQuad> line_outline(const FramebufferPosition& a, const Frameb
     return std::nullopt;
   }
   const float scale = width * 0.5F / std::sqrt(length_squared);
-  const FixedPosition aside{snap(-dy * scale, subpixel_bits), snap(dx * scale, subpixel_bits)};
-  const FixedPosition from = snapped(a, subpixel_bits);
-  const FixedPosition to = snapped(b, subpixel_bits);
+  const FixedPosition aside{snap_away(-dy * scale, subpixel_bits), snap_away(dx * scale, subpixel_bits)};
+  const FixedPosition from = snapped_end(a, subpixel_bits);
+  const FixedPosition to = snapped_end(b, subpixel_bits);
   return FixedQuad{{from - aside, to - aside, to + aside, from + aside}};
 }
 

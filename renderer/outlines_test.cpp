@@ -19,6 +19,11 @@ TEST(PointOutline, IsTheSquareAroundItsCentre) {
   EXPECT_EQ(point_outline({1, 1}, 3, 4), (FixedQuad{{{-8, -8}, {40, -8}, {40, 40}, {-8, 40}}}));
 }
 
+TEST(Outlines, EndsHalfWayBetweenSubpixelsGoAwayFromZero) {
+  EXPECT_EQ(snapped_end({2.5 / 256, -2.5 / 256}, 8), (FixedPosition{3, -3}));
+  EXPECT_EQ(snapped_end({3.5 / 256, 1.4375 / 16}, 8), (FixedPosition{4, 23}));
+}
+
 TEST(PointOutline, SizesAreClamped) {
   EXPECT_EQ(effective_point_size(0), 1);
   EXPECT_EQ(effective_point_size(-5), 1);

@@ -3,27 +3,85 @@
 #include <algorithm>
 #include <cmath>
 
+#include "renderer/bresenham_line.h"
 #include "renderer/depth_bias.h"
+#include "renderer/line_point_setup.h"
+#include "renderer/outlines.h"
 
 namespace fillrule::renderer {
+namespace {
 
-void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vector<ClipPosition>& positions_clip,
-                 const std::vector<WindowVertex>& window_vertices, uint32_t first, uint32_t end,
-                 PrimitiveChunk& chunk) {
-  chunk.clear();
-  for (uint32_t primitive = first; primitive < end; ++primitive) {
-    const auto [a, b, c] = draw.assembly.triangle(primitive);
-    const auto triangle =
-        setup_triangle(draw.setup, primitive, {positions_clip[a], positions_clip[b], positions_clip[c]},
-                       {window_vertices[a], window_vertices[b], window_vertices[c]}, chunk.polygon_vertices());
-    if (triangle) {
-      chunk.add(*triangle);
-    }
-  }
-  chunk.sort_into(grid);
+AssembledPrimitive assembled(const PreparedDraw& draw, uint32_t number, const std::array<uint32_t, 3>& vertices,
+                             const std::vector<ClipPosition>& positions_clip,
+                             const std::array<WindowVertex, 3>& window_vertices) {
+  const auto& [a, b, c] = vertices;
+  const VertexDistances& distances = draw.input.clip_distances;
+  return {.number = number,
+          .positions_clip = {positions_clip[a], positions_clip[b], positions_clip[c]},
+          .window_vertices = window_vertices,
+          .clip_distances = {distances.of(a), distances.of(b), distances.of(c)}};
 }
 
-namespace {
+// Sets up primitives into a chunk.
+class ChunkBuilder {
+ public:
+  ChunkBuilder(const PreparedDraw& draw, const std::vector<ClipPosition>& positions_clip,
+               const std::vector<WindowVertex>& window_vertices, PrimitiveChunk& chunk)
+      : draw_(draw), positions_clip_(positions_clip), window_vertices_(window_vertices), chunk_(chunk) {}
+
+  void add(uint32_t number) const {
+    const std::array<uint32_t, 3> vertices = draw_.assembly.vertices(number);
+    const auto& [a, b, c] = vertices;
+    const AssembledPrimitive primitive = assembled(draw_, number, vertices, positions_clip_,
+                                                   {window_vertices_[a], window_vertices_[b], window_vertices_[c]});
+    if (draw_.shape == Shape::kPolygon) {
+      add(setup_triangle(draw_.setup, primitive, chunk_.polygon_vertices()));
+    } else if (is_polygon_topology(draw_.input.vertices.topology)) {
+      add_edges_or_corners(primitive, vertices);
+    } else if (!primitive.is_culled_by_distance()) {
+      add_part(primitive, vertices, line_ends(draw_.input.state.provoking_vertex), true);
+    }
+  }
+
+ private:
+  void add(const std::optional<SetupPrimitive>& primitive) const {
+    if (primitive) {
+      chunk_.add(*primitive);
+    }
+  }
+
+  void add_edges_or_corners(const AssembledPrimitive& primitive, const std::array<uint32_t, 3>& vertices) const {
+    const std::optional<VisiblePolygon> polygon = visible_polygon(draw_.setup, primitive);
+    const std::optional<bool> front_facing = polygon ? facing(draw_.setup, *polygon) : std::nullopt;
+    if (!front_facing) {
+      return;
+    }
+    for (const LineEnds& ends : {LineEnds{0, 1}, LineEnds{1, 2}, LineEnds{2, 0}}) {
+      add_part(primitive, vertices, ends, *front_facing);
+    }
+  }
+
+  // A line, or the point at its beginning.
+  void add_part(const AssembledPrimitive& primitive, const std::array<uint32_t, 3>& vertices, const LineEnds& ends,
+                bool front_facing) const {
+    std::optional<SetupPrimitive> part;
+    if (draw_.shape == Shape::kLine) {
+      part = setup_line(draw_.setup, primitive, ends, chunk_.polygon_vertices());
+    } else {
+      const float size = draw_.input.vertices.point_size(vertices[ends.from]);
+      part = setup_point(draw_.setup, primitive, ends.from, size, chunk_.polygon_vertices());
+    }
+    if (part) {
+      part->front_facing = front_facing;
+      chunk_.add(*part);
+    }
+  }
+
+  const PreparedDraw& draw_;
+  const std::vector<ClipPosition>& positions_clip_;
+  const std::vector<WindowVertex>& window_vertices_;
+  PrimitiveChunk& chunk_;
+};
 
 // The greatest |depth| of the part of a triangle that the near and far planes leave.
 double greatest_depth(const PreparedDraw& draw, const std::array<ClipPosition, 3>& positions_clip,
@@ -33,7 +91,9 @@ double greatest_depth(const PreparedDraw& draw, const std::array<ClipPosition, 3
   const auto& [least, greatest] = std::minmax(state.viewport.minDepth, state.viewport.maxDepth);
   double result = 0;
   const auto include = [&, low = double{least}, high = double{greatest}](double depth) {
-    result = std::max(result, std::abs(state.depth_clip ? std::clamp(depth, low, high) : depth));
+    const double limited = state.depth_clip ? std::clamp(depth, low, high) : depth;
+    // To float32: the last bit of a double must not decide about the exponent.
+    result = std::max(result, double{std::abs(static_cast<float>(limited))});
   };
   if (std::all_of(positions_clip.begin(), positions_clip.end(), [](const auto& one) { return one[3] > 0; })) {
     for (const ClipPosition& position : positions_clip) {
@@ -49,9 +109,50 @@ double greatest_depth(const PreparedDraw& draw, const std::array<ClipPosition, 3
   return result;
 }
 
+// What a polygon's depth is biased by, filled or not.
+double bias_of(const PreparedDraw& draw, const std::array<ClipPosition, 3>& positions_clip,
+               std::span<const FixedPosition> outline, const PrimitiveInterpolation& interpolation) {
+  return depth_bias(*draw.input.state.depth_bias, interpolation.depth_framebuffer,
+                    max_depth_code(draw.input.depth.format),
+                    greatest_depth(draw, positions_clip, outline, interpolation));
+}
+
+// The same for the polygon whose edges or corners are drawn.
+double bias_of_outlined(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
+                        const std::vector<ClipPosition>& all_positions_clip, int32_t anchor_x, int32_t anchor_y) {
+  const auto window_vertex = [&](uint32_t vertex) { return draw.window_vertex(vertex, all_positions_clip[vertex]); };
+  const AssembledPrimitive triangle =
+      assembled(draw, 0, vertices, all_positions_clip,
+                {window_vertex(vertices[0]), window_vertex(vertices[1]), window_vertex(vertices[2])});
+  const std::optional<VisiblePolygon> polygon = visible_polygon(draw.setup, triangle);
+  const RasterState& state = draw.input.state;
+  const PrimitiveInterpolation interpolation =
+      make_interpolation(state.viewport, depth_transform(state), triangle.positions_clip, anchor_x, anchor_y);
+  return bias_of(draw, triangle.positions_clip, polygon->outline(), interpolation);
+}
+
+LineParameter line_parameter(const RasterState& state, std::span<const FixedPosition> outline) {
+  if (state.line_mode != VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT) {
+    return LineParameter::kProjection;
+  }
+  return is_x_major({outline[0], outline[1]}) ? LineParameter::kX : LineParameter::kY;
+}
+
 }  // namespace
 
-PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
+void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vector<ClipPosition>& positions_clip,
+                 const std::vector<WindowVertex>& window_vertices, uint32_t first, uint32_t end,
+                 PrimitiveChunk& chunk) {
+  chunk.clear();
+  const ChunkBuilder builder(draw, positions_clip, window_vertices, chunk);
+  for (uint32_t primitive = first; primitive < end; ++primitive) {
+    builder.add(primitive);
+  }
+  chunk.sort_into(grid);
+}
+
+PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
+                                          const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline) {
   // The anchor must not depend on what does not belong to the primitive: not on scissor, target or tile.
@@ -64,14 +165,29 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::a
   const int32_t anchor_x = std::clamp(corner.x_fixed >> draw.subpixel_bits, limits.left, limits.right);
   const int32_t anchor_y = std::clamp(corner.y_fixed >> draw.subpixel_bits, limits.top, limits.bottom);
   const RasterState& state = draw.input.state;
+  const DepthTransform depth = depth_transform(state);
   const std::array<ClipPosition, 3> positions{positions_clip[vertices[0]], positions_clip[vertices[1]],
                                               positions_clip[vertices[2]]};
-  PrimitiveInterpolation interpolation =
-      make_interpolation(state.viewport, depth_transform(state), positions, anchor_x, anchor_y);
-  if (state.depth_bias) {
+  PrimitiveInterpolation interpolation;
+  switch (draw.shape) {
+    case Shape::kPolygon:
+      interpolation = make_interpolation(state.viewport, depth, positions, anchor_x, anchor_y);
+      break;
+    case Shape::kLine:
+      interpolation = make_line_interpolation(state.viewport, depth, positions, primitive.ends,
+                                              line_parameter(state, outline), anchor_x, anchor_y);
+      break;
+    case Shape::kPoint: {
+      const float size = effective_point_size(draw.input.vertices.point_size(vertices[primitive.ends.from]));
+      interpolation =
+          make_point_interpolation(state.viewport, depth, positions, primitive.ends.from, size, anchor_x, anchor_y);
+      break;
+    }
+  }
+  if (state.depth_bias && is_polygon_topology(draw.input.vertices.topology)) {
     interpolation.depth_framebuffer.at_anchor +=
-        depth_bias(*state.depth_bias, interpolation.depth_framebuffer, max_depth_code(draw.input.depth.format),
-                   greatest_depth(draw, positions, outline, interpolation));
+        draw.shape == Shape::kPolygon ? bias_of(draw, positions, outline, interpolation)
+                                      : bias_of_outlined(draw, vertices, positions_clip, anchor_x, anchor_y);
   }
   return interpolation;
 }

@@ -44,9 +44,9 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   const size_t vertex_runs = (size_t{input.vertices.vertex_count} + kVerticesAtOnce - 1) / kVerticesAtOnce;
   workers.parallel_for(vertex_runs, kCostOfVertex * input.vertices.vertex_count, [&](size_t run) {
     const size_t end = std::min<size_t>((run + 1) * kVerticesAtOnce, input.vertices.vertex_count);
-    for (size_t vertex = run * kVerticesAtOnce; vertex < end; ++vertex) {
-      positions_clip[vertex] = program.position(static_cast<uint32_t>(vertex));
-      window_vertices[vertex] = prepared->setup.transform.window_vertex(positions_clip[vertex]);
+    for (auto vertex = static_cast<uint32_t>(run * kVerticesAtOnce); vertex < end; ++vertex) {
+      positions_clip[vertex] = program.position(vertex);
+      window_vertices[vertex] = prepared->window_vertex(vertex, positions_clip[vertex]);
     }
   });
 

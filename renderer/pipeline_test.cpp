@@ -179,7 +179,8 @@ TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
         {.target_width = size, .target_height = size, .vertices = {.vertex_count = 3}, .state = scene.state}, {});
     EXPECT_TRUE(prepared);
     const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
-    const PrimitiveInterpolation interpolation = make_interpolation(*prepared, {0, 1, 2}, scene.positions, outline);
+    const PrimitiveInterpolation interpolation =
+        make_interpolation(*prepared, {}, {0, 1, 2}, scene.positions, outline);
     return std::pair(interpolation.anchor_x, interpolation.anchor_y);
   };
   const auto whole = anchor_of({{0, 0}, {64, 64}}, 64);
@@ -203,7 +204,8 @@ TEST(Pipeline, RefusesWhatItCannotDraw) {
   EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.height = std::nanf(""); }), HasSubstr("viewport of"));
   EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.x = -40000; }), HasSubstr("viewport from (-40000"));
   EXPECT_THAT(error_of([](TestScene& s) { s.state.viewport.maxDepth = 2; }), HasSubstr("depth range 0 to 2"));
-  EXPECT_THAT(error_of([](TestScene& s) { s.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST; }), HasSubstr("topology 1"));
+  EXPECT_THAT(error_of([](TestScene& s) { s.topology = VK_PRIMITIVE_TOPOLOGY_PATCH_LIST; }),
+              HasSubstr("topology 10"));
   EXPECT_THAT(error_of([](TestScene& s) { s.indices = {{0, 1, 3}}; }), HasSubstr("index 3 in a draw of 3 vertices"));
   EXPECT_THAT(error_of([](TestScene&) {}, {.subpixel_bits = 3}), HasSubstr("3 subpixel bits"));
   EXPECT_THAT(error_of([](TestScene&) {}, {.subpixel_bits = 9}), HasSubstr("9 subpixel bits"));

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 
+#include "renderer/bresenham_line.h"
+#include "renderer/outlines.h"
+
 namespace fillrule::renderer {
 namespace {
 
@@ -36,13 +39,45 @@ Result<void> check_viewport(const VkViewport& viewport) {
 
 Result<void> check_topology(VkPrimitiveTopology topology) {
   switch (topology) {
+    case VK_PRIMITIVE_TOPOLOGY_POINT_LIST:
+    case VK_PRIMITIVE_TOPOLOGY_LINE_LIST:
+    case VK_PRIMITIVE_TOPOLOGY_LINE_STRIP:
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST:
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP:
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_FAN:
       return {};
     default:
-      return failure(fmt::format("topology {}", static_cast<int>(topology)), "triangle list, strip or fan");
+      return failure(fmt::format("topology {}", static_cast<int>(topology)),
+                     "point list, line list or strip, triangle list, strip or fan");
   }
+}
+
+Result<void> check_distances(const DrawInput& input) {
+  const uint32_t count = input.clip_distances.count + input.cull_distances.count;
+  if (count > kMaxClipAndCullDistances) {
+    return failure(fmt::format("{} clip and cull distances", count),
+                   fmt::format("at most {}", kMaxClipAndCullDistances));
+  }
+  for (const VertexDistances& distances : {input.clip_distances, input.cull_distances}) {
+    if (distances.values.size() != size_t{distances.count} * input.vertices.vertex_count) {
+      return failure(fmt::format("{} values of {} distances for {} vertices", distances.values.size(),
+                                 distances.count, input.vertices.vertex_count));
+    }
+  }
+  return {};
+}
+
+Result<void> check_lines_and_points(const DrawInput& input) {
+  const RasterState& state = input.state;
+  const Shape shape = shape_of(input.vertices.topology, state.polygon_mode);
+  if (shape == Shape::kLine && !(state.line_width > 0 && state.line_width <= kMaxLineWidth)) {
+    return failure(fmt::format("line width {}", state.line_width), fmt::format("above 0, at most {}", kMaxLineWidth));
+  }
+  const size_t sizes = input.vertices.point_sizes.size();
+  if (sizes != 0 && sizes != input.vertices.vertex_count) {
+    return failure(fmt::format("{} point sizes for {} vertices", sizes, input.vertices.vertex_count));
+  }
+  return {};
 }
 
 Result<void> check(const DrawInput& input, const Options& options) {
@@ -70,7 +105,9 @@ Result<void> check(const DrawInput& input, const Options& options) {
   }
   return check_viewport(input.state.viewport)
       .and_then([&] { return check_topology(input.vertices.topology); })
-      .and_then([&] { return check_indices(input.vertices); });
+      .and_then([&] { return check_lines_and_points(input); })
+      .and_then([&] { return check_indices(input.vertices); })
+      .and_then([&] { return check_distances(input); });
 }
 
 // The scissor's part of the target; its end may be beyond 2^31.
@@ -114,14 +151,20 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
   const RasterState& state = input.state;
   const WindowTransform transform(state.viewport, options.subpixel_bits,
                                   {.clips = state.depth_clip, .negative_one_to_one = state.negative_one_to_one});
-  PreparedDraw prepared{
-      .input = input,
-      .subpixel_bits = options.subpixel_bits,
-      .coverage_rule = {.fill = options.fill, .subpixel_bits = options.subpixel_bits},
-      .depth = DepthStage(state, input.depth),
-      .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
-      .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),
-      .setup = {.transform = transform, .cull_mode = state.cull_mode, .front_face = state.front_face}};
+  PreparedDraw prepared{.input = input,
+                        .shape = shape_of(input.vertices.topology, state.polygon_mode),
+                        .subpixel_bits = options.subpixel_bits,
+                        .coverage_rule = {.fill = options.fill,
+                                          .subpixel_bits = options.subpixel_bits,
+                                          .bresenham_width = bresenham_width(state.line_width)},
+                        .depth = DepthStage(state, input.depth),
+                        .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
+                        .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),
+                        .setup = {.transform = transform,
+                                  .cull_mode = state.cull_mode,
+                                  .front_face = state.front_face,
+                                  .line_mode = state.line_mode,
+                                  .line_width = state.line_width}};
   set_up_samples(prepared);
   return prepared;
 }

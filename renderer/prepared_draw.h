@@ -21,6 +21,16 @@ struct Options {
   Fill fill = Fill::kEdgeFunction;            // so does either fill
 };
 
+// The user's distances, vertex by vertex.
+struct VertexDistances {
+  uint32_t count = 0;  // of a vertex
+  std::span<const float> values;
+
+  [[nodiscard]] std::span<const float> of(uint32_t vertex) const {
+    return values.subspan(size_t{vertex} * count, count);
+  }
+};
+
 // What a draw needs besides its program. Fixed-function state is Vulkan's.
 struct DrawInput {
   uint32_t target_width = 0;  // pixels
@@ -28,6 +38,10 @@ struct DrawInput {
   uint32_t samples = 1;         // of a pixel: 1, 2, 4, 8 or 16
   bool sample_shading = false;  // the fragment program runs for each sample, not for each pixel
   VertexStream vertices;
+  // gl_ClipDistance: what is kept is where each of them is not negative. gl_CullDistance: a primitive is dropped if
+  // one of them is negative at all of its vertices. At most kMaxClipAndCullDistances together.
+  VertexDistances clip_distances;
+  VertexDistances cull_distances;
   RasterState state;
   DepthBuffer depth;
 };
@@ -35,6 +49,7 @@ struct DrawInput {
 // Everything of a draw that does not depend on the program.
 struct PreparedDraw {
   DrawInput input;
+  Shape shape;
   uint32_t subpixel_bits;
   CoverageRule coverage_rule;
   DepthStage depth;
@@ -44,11 +59,17 @@ struct PreparedDraw {
   std::span<const SampleLocation> sample_locations;
   std::array<SampleArea, kMaxSamples> sample_areas;  // the first input.samples of them
 
+  [[nodiscard]] WindowVertex window_vertex(uint32_t vertex, const ClipPosition& pos_clip) const {
+    WindowVertex window_vertex = setup.transform.window_vertex(pos_clip);
+    add_user_distances(input.clip_distances.of(vertex), input.cull_distances.of(vertex), window_vertex);
+    return window_vertex;
+  }
+
   [[nodiscard]] std::span<const SampleArea> samples() const { return {sample_areas.data(), input.samples}; }
 };
 
 // Refuses what the pipeline cannot draw: a state outside of Vulkan's limits, an index without a vertex, a topology of
-// lines or points.
+// patches or with adjacency.
 Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options);
 
 }  // namespace fillrule::renderer

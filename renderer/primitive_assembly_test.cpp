@@ -48,13 +48,41 @@ TEST(TriangleElements, TheLastVertexProvoking) {
   EXPECT_THAT(triangle_elements(kFan, kLast, 3), ElementsAre(5U, 0U, 4U));
 }
 
+TEST(PrimitiveElements, OfLinesAndPoints) {
+  constexpr auto kLines = VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+  constexpr auto kLineStrip = VK_PRIMITIVE_TOPOLOGY_LINE_STRIP;
+  constexpr auto kPoints = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+  EXPECT_THAT(primitive_elements(kLines, kFirst, 3), ElementsAre(6U, 7U, 7U));
+  EXPECT_THAT(primitive_elements(kLines, kLast, 3), ElementsAre(7U, 6U, 6U));
+  EXPECT_THAT(primitive_elements(kLineStrip, kFirst, 3), ElementsAre(3U, 4U, 4U));
+  EXPECT_THAT(primitive_elements(kLineStrip, kLast, 3), ElementsAre(4U, 3U, 3U));
+  EXPECT_THAT(primitive_elements(kPoints, kLast, 3), ElementsAre(3U, 3U, 3U));
+  // Whichever provokes, the line goes the same way.
+  for (const auto provoking : {kFirst, kLast}) {
+    const auto elements = primitive_elements(kLines, provoking, 3);
+    EXPECT_EQ(elements[line_ends(provoking).from], 6U);
+    EXPECT_EQ(elements[line_ends(provoking).to], 7U);
+  }
+  EXPECT_EQ(count(kLines, 5), 2U);
+  EXPECT_EQ(count(kLineStrip, 5), 4U);
+  EXPECT_EQ(count(kPoints, 5), 5U);
+}
+
+TEST(Shape, IsThatOfTheTopologyOrOfThePolygonMode) {
+  EXPECT_EQ(shape_of(kStrip, VK_POLYGON_MODE_FILL), Shape::kPolygon);
+  EXPECT_EQ(shape_of(kFan, VK_POLYGON_MODE_LINE), Shape::kLine);
+  EXPECT_EQ(shape_of(kList, VK_POLYGON_MODE_POINT), Shape::kPoint);
+  EXPECT_EQ(shape_of(VK_PRIMITIVE_TOPOLOGY_LINE_STRIP, VK_POLYGON_MODE_POINT), Shape::kLine);
+  EXPECT_EQ(shape_of(VK_PRIMITIVE_TOPOLOGY_POINT_LIST, VK_POLYGON_MODE_FILL), Shape::kPoint);
+}
+
 TEST(PrimitiveAssembly, GoesThroughTheIndicesAndTheOffset) {
   const std::array<uint32_t, 4> indices = {7, 5, 3, 1};
   const Indices span = std::span<const uint32_t>(indices);
   const auto second = [&](const Indices& chosen, int32_t offset) {
     return PrimitiveAssembly({.topology = kStrip, .vertex_count = 4, .indices = chosen, .vertex_offset = offset},
                              kFirst)
-        .triangle(1);
+        .vertices(1);
   };
   EXPECT_THAT(second(span, 0), ElementsAre(5U, 1U, 3U));
   EXPECT_THAT(second(span, 10), ElementsAre(15U, 11U, 13U));
@@ -70,9 +98,9 @@ TEST(PrimitiveAssembly, EachRunBeginsAnewButNumbersRunOn) {
   EXPECT_TRUE(check_indices(stream));
   const PrimitiveAssembly assembly(stream, kFirst);
   ASSERT_EQ(assembly.count(), 3U);
-  EXPECT_THAT(assembly.triangle(0), ElementsAre(0U, 1U, 2U));
-  EXPECT_THAT(assembly.triangle(1), ElementsAre(1U, 3U, 2U));
-  EXPECT_THAT(assembly.triangle(2), ElementsAre(6U, 7U, 8U));
+  EXPECT_THAT(assembly.vertices(0), ElementsAre(0U, 1U, 2U));
+  EXPECT_THAT(assembly.vertices(1), ElementsAre(1U, 3U, 2U));
+  EXPECT_THAT(assembly.vertices(2), ElementsAre(6U, 7U, 8U));
   VertexStream none = stream;
   none.runs = std::span<const ElementRun>();
   EXPECT_EQ(PrimitiveAssembly(none, kFirst).count(), 0U);

@@ -40,51 +40,53 @@ bool is_front_facing(int64_t doubled_area_fixed, VkFrontFace front_face) {
   return front_face == VK_FRONT_FACE_COUNTER_CLOCKWISE ? doubled_area_fixed < 0 : doubled_area_fixed > 0;
 }
 
-std::optional<SetupPrimitive> setup_triangle(const SetupState& state, uint32_t primitive,
-                                             const std::array<ClipPosition, 3>& positions_clip,
-                                             const std::array<WindowVertex, 3>& window_vertices,
-                                             std::vector<FixedPosition>& polygon_vertices) {
-  const auto& [v0, v1, v2] = window_vertices;
+std::optional<VisiblePolygon> visible_polygon(const SetupState& state, const AssembledPrimitive& triangle) {
+  const auto& [v0, v1, v2] = triangle.window_vertices;
   const uint32_t outside_of_any = v0.clip_code | v1.clip_code | v2.clip_code;
   const uint32_t outside_of_all = v0.clip_code & v1.clip_code & v2.clip_code;
-  if ((outside_of_any & kClipNotFinite) != 0 || outside_of_all != 0) {
+  if ((outside_of_any & kClipNotFinite) != 0 || outside_of_all != 0 || triangle.is_culled_by_distance()) {
     return std::nullopt;
   }
-  SetupPrimitive triangle{.vertices = {v0.position, v1.position, v2.position}, .primitive = primitive};
-  FixedPolygon polygon;
-  std::span<const FixedPosition> outline = triangle.vertices;
+  VisiblePolygon polygon{.vertices = {v0.position, v1.position, v2.position}};
   if (outside_of_any != 0) {
-    polygon = clip_triangle(state.transform, positions_clip, window_vertices);
-    if (polygon.count == 0) {
+    polygon.clipped =
+        clip_triangle(state.transform, triangle.positions_clip, triangle.window_vertices, triangle.clip_distances);
+    if (polygon.clipped.count == 0) {
       return std::nullopt;
     }
-    outline = polygon.span();
   }
+  return polygon;
+}
 
-  const PixelRect bounds = intersection(bounding_pixels(state, outline), state.clip_pixels);
-  if (bounds.empty()) {
-    return std::nullopt;
-  }
-  const Area outline_area = area(outline);
-  if (!outline_area.has_pieces) {
-    return std::nullopt;
-  }
-  triangle.front_facing = is_front_facing(outline_area.doubled, state.front_face);
-  const VkCullModeFlags face = triangle.front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
+std::optional<bool> facing(const SetupState& state, const VisiblePolygon& polygon) {
+  const bool front_facing = is_front_facing(area(polygon.outline()).doubled, state.front_face);
+  const VkCullModeFlags face = front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
   if ((state.cull_mode & face) != 0) {
     return std::nullopt;
   }
+  return front_facing;
+}
 
-  triangle.left = static_cast<uint16_t>(bounds.left);
-  triangle.top = static_cast<uint16_t>(bounds.top);
-  triangle.right = static_cast<uint16_t>(bounds.right);
-  triangle.bottom = static_cast<uint16_t>(bounds.bottom);
-  if (outside_of_any != 0) {
-    triangle.polygon_offset = static_cast<uint32_t>(polygon_vertices.size());
-    triangle.polygon_count = static_cast<uint8_t>(outline.size());
-    polygon_vertices.insert(polygon_vertices.end(), outline.begin(), outline.end());
+std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const AssembledPrimitive& triangle,
+                                             std::vector<FixedPosition>& polygon_vertices) {
+  const std::optional<VisiblePolygon> polygon = visible_polygon(state, triangle);
+  if (!polygon) {
+    return std::nullopt;
   }
-  return triangle;
+  const PixelRect bounds = intersection(bounding_pixels(state, polygon->outline()), state.clip_pixels);
+  if (bounds.empty() || !area(polygon->outline()).has_pieces) {
+    return std::nullopt;
+  }
+  const std::optional<bool> front_facing = facing(state, *polygon);
+  if (!front_facing) {
+    return std::nullopt;
+  }
+  SetupPrimitive filled{.vertices = polygon->vertices, .primitive = triangle.number, .front_facing = *front_facing};
+  filled.set_bounds(bounds);
+  if (polygon->clipped.count != 0) {
+    filled.set_outline(polygon->clipped.span(), polygon_vertices);
+  }
+  return filled;
 }
 
 }  // namespace fillrule::renderer

@@ -36,6 +36,16 @@ struct Fragment {
   [[nodiscard]] PixelWeights weights(const WindowOffset& from_centre = {}) const {
     return interpolation.weights_at(x, y, from_centre);
   }
+
+  // gl_FragCoord: framebuffer x and y, the depth with its bias but neither clamped nor quantised, and 1/w.
+  [[nodiscard]] std::array<float, 4> frag_coord() const {
+    return {static_cast<float>(x + 0.5 + position.x), static_cast<float>(y + 0.5 + position.y),
+            finite_float(interpolation.depth_at(x, y, position)),
+            finite_float(interpolation.reciprocal_w_at(x, y, position))};
+  }
+
+  // gl_PointCoord; 0 of anything but points.
+  [[nodiscard]] std::array<float, 2> point_coord() const { return interpolation.point_coord_at(x, y, position); }
 };
 
 template <typename P>
@@ -50,7 +60,8 @@ concept Program = requires(const P& program, uint32_t vertex, const ShadedPrimit
 };
 
 // The plane equations of a primitive that was set up.
-PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
+PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
+                                          const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline);
 
@@ -149,8 +160,9 @@ void shade_tile(const PreparedDraw& draw, const P& program, const std::vector<Cl
       if (coverage.count == 0) {
         return;
       }
-      const std::array<uint32_t, 3> vertices = draw.assembly.triangle(primitive.primitive);
-      const PrimitiveInterpolation interpolation = make_interpolation(draw, vertices, positions_clip, outline);
+      const std::array<uint32_t, 3> vertices = draw.assembly.vertices(primitive.primitive);
+      const PrimitiveInterpolation interpolation =
+          make_interpolation(draw, primitive, vertices, positions_clip, outline);
       const typename P::PrimitiveData data = program.primitive_data(
           {.primitive = primitive.primitive, .vertices = vertices, .front_facing = primitive.front_facing});
       const Shader<P> shader{draw, program, data, interpolation};

@@ -26,6 +26,8 @@ struct TestPlanes {
   std::vector<float> centroid;   // noperspective too
   std::vector<float> at_sample;  // likewise: at the fragment's position
   std::vector<float> flat;
+  std::vector<float> point_s;
+  std::vector<float> point_t;
 
   [[nodiscard]] size_t pixel(uint32_t x, uint32_t y, uint32_t sample = 0) const {
     return (size_t{y} * width + x) * samples + sample;
@@ -44,6 +46,9 @@ struct TestScene {
   std::vector<ClipPosition> positions;
   std::vector<float> values;  // one varying a vertex; 0 where absent
   std::optional<std::vector<uint32_t>> indices;
+  std::vector<float> clip_distances;  // as many for each vertex; likewise the next
+  std::vector<float> cull_distances;
+  std::vector<float> point_sizes;
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   float clear_depth = 1;
 
@@ -98,6 +103,8 @@ class RecordingProgram {
       planes_.centroid[i] = value_with(fragment.weights(fragment.centroid).noperspective);
       planes_.at_sample[i] = value_with(fragment.weights(fragment.position).noperspective);
       planes_.flat[i] = data.values[0];
+      planes_.point_s[i] = fragment.point_coord()[0];
+      planes_.point_t[i] = fragment.point_coord()[1];
     }
   }
 
@@ -106,6 +113,10 @@ class RecordingProgram {
   TestPlanes& planes_;
 };
 
+inline VertexDistances distances_of(const std::vector<float>& values, size_t vertices) {
+  return {.count = static_cast<uint32_t>(values.size() / std::max<size_t>(vertices, 1)), .values = values};
+}
+
 inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, const Options& options = {}) {
   return draw({.target_width = scene.width,
                .target_height = scene.height,
@@ -113,7 +124,10 @@ inline Result<void> render_into(const TestScene& scene, TestPlanes& planes, cons
                .sample_shading = scene.sample_shading,
                .vertices = {.topology = scene.topology,
                             .vertex_count = static_cast<uint32_t>(scene.positions.size()),
-                            .indices = scene.indices ? Indices(*scene.indices) : std::nullopt},
+                            .indices = scene.indices ? Indices(*scene.indices) : std::nullopt,
+                            .point_sizes = scene.point_sizes},
+               .clip_distances = distances_of(scene.clip_distances, scene.positions.size()),
+               .cull_distances = distances_of(scene.cull_distances, scene.positions.size()),
                .state = scene.state,
                .depth = {planes.depth, scene.depth_format}},
               RecordingProgram(scene, planes), options);
@@ -131,6 +145,8 @@ inline TestPlanes cleared_planes(const TestScene& scene) {
   planes.centroid.assign(pixels, 0);
   planes.at_sample.assign(pixels, 0);
   planes.flat.assign(pixels, 0);
+  planes.point_s.assign(pixels, 0);
+  planes.point_t.assign(pixels, 0);
   return planes;
 }
 
@@ -148,7 +164,8 @@ inline bool same_bytes(const std::vector<float>& a, const std::vector<float>& b)
 inline bool same_bytes(const TestPlanes& a, const TestPlanes& b) {
   return a.hits == b.hits && a.owner == b.owner && a.front_facing == b.front_facing && same_bytes(a.depth, b.depth) &&
          same_bytes(a.smooth, b.smooth) && same_bytes(a.noperspective, b.noperspective) &&
-         same_bytes(a.centroid, b.centroid) && same_bytes(a.at_sample, b.at_sample) && same_bytes(a.flat, b.flat);
+         same_bytes(a.centroid, b.centroid) && same_bytes(a.at_sample, b.at_sample) && same_bytes(a.flat, b.flat) &&
+         same_bytes(a.point_s, b.point_s) && same_bytes(a.point_t, b.point_t);
 }
 
 inline size_t count_of(const std::vector<uint32_t>& plane, uint32_t value) {

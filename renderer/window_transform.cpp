@@ -11,6 +11,11 @@ bool is_finite(const ClipPosition& pos_clip) {
          std::isfinite(pos_clip[3]);
 }
 
+// Where w and 1/w both are normal floats.
+bool is_invertible(float w) {
+  return w >= 0x1p-126F && w <= 0x1p126F;
+}
+
 float guard_band(float centre_framebuffer, float half_extent) {
   const double guard = (kGuardBandPixels - std::abs(double{centre_framebuffer})) / std::abs(double{half_extent});
   // A viewport of almost no extent reaches nowhere with any factor.
@@ -37,11 +42,8 @@ bool WindowTransform::is_inside_clip_volume(const ClipPosition& pos_clip) const 
 }
 
 WindowVertex WindowTransform::window_vertex(const ClipPosition& pos_clip) const {
-  // Where w and 1/w both are normal floats.
-  constexpr float kMinInvertible = 0x1p-126F;
-  constexpr float kMaxInvertible = 0x1p126F;
-  if (is_inside_clip_volume(pos_clip) && pos_clip[3] >= kMinInvertible && pos_clip[3] <= kMaxInvertible) {
-    return {.position = project_inside(pos_clip)};
+  if (is_inside_clip_volume(pos_clip) && is_invertible(pos_clip[3])) {
+    return {.position = snapped(framebuffer_as_lavapipe(pos_clip))};
   }
   if (!is_finite(pos_clip)) {
     return {.clip_code = kClipNotFinite};
@@ -59,21 +61,46 @@ WindowVertex WindowTransform::window_vertex(const ClipPosition& pos_clip) const 
   return {.position = code == 0 ? project(position) : FixedPosition{}, .clip_code = code};
 }
 
-FixedPosition WindowTransform::project_inside(const ClipPosition& pos_clip) const {
+void add_user_distances(std::span<const float> clip_distances, std::span<const float> cull_distances,
+                        WindowVertex& vertex) {
+  for (uint32_t i = 0; i < clip_distances.size(); ++i) {
+    const float distance = clip_distances[i];
+    const uint32_t code = !std::isfinite(distance) ? kClipNotFinite : (distance < 0 ? kClipFirstUser << i : 0U);
+    vertex.clip_code = static_cast<ClipCode>(vertex.clip_code | code);
+  }
+  for (uint32_t i = 0; i < cull_distances.size(); ++i) {
+    const uint32_t code = cull_distances[i] < 0 ? 1U << i : 0U;
+    vertex.cull_code = static_cast<uint8_t>(vertex.cull_code | code);
+  }
+}
+
+FramebufferPosition WindowTransform::framebuffer_as_lavapipe(const ClipPosition& pos_clip) const {
   const float reciprocal_w = 1.0F / pos_clip[3];
-  const float x_framebuffer = std::fma(pos_clip[0] * reciprocal_w, half_width_, centre_x_);
-  const float y_framebuffer = std::fma(pos_clip[1] * reciprocal_w, half_height_, centre_y_);
-  return {snap(x_framebuffer, subpixel_bits_), snap(y_framebuffer, subpixel_bits_)};
+  return {std::fma(pos_clip[0] * reciprocal_w, half_width_, centre_x_),
+          std::fma(pos_clip[1] * reciprocal_w, half_height_, centre_y_)};
+}
+
+FramebufferPosition WindowTransform::framebuffer(const HomogeneousPosition<double>& pos_clip) const {
+  return {pos_clip.x / pos_clip.w * double{half_width_} + double{centre_x_},
+          pos_clip.y / pos_clip.w * double{half_height_} + double{centre_y_}};
+}
+
+FramebufferPosition WindowTransform::vertex_framebuffer(const ClipPosition& pos_clip) const {
+  const auto& [x, y, z, w] = pos_clip;
+  return is_invertible(w) ? framebuffer_as_lavapipe(pos_clip) : framebuffer({x, y, z, w});
+}
+
+FixedPosition WindowTransform::snapped(const FramebufferPosition& position_framebuffer) const {
+  return {snap(position_framebuffer.x, subpixel_bits_), snap(position_framebuffer.y, subpixel_bits_)};
 }
 
 FixedPosition WindowTransform::project(const HomogeneousPosition<double>& pos_clip) const {
-  return {snap(pos_clip.x / pos_clip.w * double{half_width_} + double{centre_x_}, subpixel_bits_),
-          snap(pos_clip.y / pos_clip.w * double{half_height_} + double{centre_y_}, subpixel_bits_)};
+  return snapped(framebuffer(pos_clip));
 }
 
 PixelRect WindowTransform::viewport_pixels(const FixedPosition& sample_fixed) const {
-  const FixedPosition low = project_inside({-1, -1, 0, 1});
-  const FixedPosition high = project_inside({1, 1, 0, 1});
+  const FixedPosition low = snapped(framebuffer_as_lavapipe({-1, -1, 0, 1}));
+  const FixedPosition high = snapped(framebuffer_as_lavapipe({1, 1, 0, 1}));
   // A negative height turns top and bottom round.
   const auto [y_min, y_max] = std::minmax(low.y_fixed, high.y_fixed);
   return {first_pixel(low.x_fixed, sample_fixed.x_fixed, subpixel_bits_),

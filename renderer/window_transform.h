@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "cases/model/case.h"
 #include "renderer/fixed_point.h"
@@ -19,15 +20,23 @@ struct HomogeneousPosition {
   Real w = 0;
 };
 
+// Framebuffer coordinates in pixels, y down.
+struct FramebufferPosition {
+  double x = 0;
+  double y = 0;
+};
+
 // The planes against which triangles are clipped; each has a bit of its own in a vertex' clip code. The sides are
 // those of the guard band, not of the viewport: pixels outside the viewport are left out by a rectangle instead. The
 // near and far planes come first, so that a volume without them begins at kLeft.
 enum class ClipPlane : uint8_t { kNear, kFar, kLeft, kRight, kTop, kBottom };
 inline constexpr uint32_t kClipPlanes = 6;
 
-using ClipCode = uint8_t;                        // bit i: outside of ClipPlane i
+// Bit i: outside of ClipPlane i. The upper eight bits: outside of a user's clip distance, kClipFirstUser << i.
+using ClipCode = uint16_t;
 inline constexpr ClipCode kClipAtOrigin = 0x40;  // (0, 0, 0, 0): inside of every plane, yet projected nowhere
 inline constexpr ClipCode kClipNotFinite = 0x80;
+inline constexpr ClipCode kClipFirstUser = 0x100;
 
 // The part of the clip volume that a pipeline may choose.
 struct DepthVolume {
@@ -38,7 +47,13 @@ struct DepthVolume {
 struct WindowVertex {
   FixedPosition position;  // only meaningful with clip code 0
   ClipCode clip_code = 0;
+  uint8_t cull_code = 0;  // bit i: the user's cull distance i is negative
 };
+
+// Takes the user's distances at the vertex into its codes. A clip distance that is not finite, of which nothing can
+// be interpolated, drops the vertex' primitives like such a position.
+void add_user_distances(std::span<const float> clip_distances, std::span<const float> cull_distances,
+                        WindowVertex& vertex);
 
 class WindowTransform {
  public:
@@ -49,6 +64,15 @@ class WindowTransform {
   // clip volume goes through lavapipe's float32 arithmetic (same snapped coordinate, same coverage); any other
   // through double precision.
   [[nodiscard]] WindowVertex window_vertex(const ClipPosition& pos_clip) const;
+
+  // Where a vertex inside of the view volume is, before it is snapped: by the same arithmetic as window_vertex() has.
+  [[nodiscard]] FramebufferPosition vertex_framebuffer(const ClipPosition& pos_clip) const;
+
+  // The same for a position made by clipping, in double precision; w must be positive.
+  [[nodiscard]] FramebufferPosition framebuffer(const HomogeneousPosition<double>& pos_clip) const;
+
+  // Within the sides of the viewport, and between near and far where those clip. False unless w > 0.
+  [[nodiscard]] bool is_inside_clip_volume(const ClipPosition& pos_clip) const;
 
   // Double precision all the way to the snap; w must be positive.
   [[nodiscard]] FixedPosition project(const HomogeneousPosition<double>& pos_clip) const;
@@ -73,8 +97,8 @@ class WindowTransform {
   [[nodiscard]] uint32_t subpixel_bits() const { return subpixel_bits_; }
 
  private:
-  [[nodiscard]] bool is_inside_clip_volume(const ClipPosition& pos_clip) const;
-  [[nodiscard]] FixedPosition project_inside(const ClipPosition& pos_clip) const;
+  [[nodiscard]] FramebufferPosition framebuffer_as_lavapipe(const ClipPosition& pos_clip) const;
+  [[nodiscard]] FixedPosition snapped(const FramebufferPosition& position_framebuffer) const;
 
   // x_framebuffer = x_ndc * half_width_ + centre_x_, in pixels; float32 as lavapipe has them.
   float half_width_;

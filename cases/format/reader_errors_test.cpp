@@ -49,7 +49,7 @@ TEST(BadHead, UnknownKey) {
 TEST(BadHead, OptOuts) {
   EXPECT_EQ(errors_with_draw("[opt_out]\nrotated = 'x'\nsecond_run = 3\nscissor_crop = ' '\n"),
             "a.toml:5:1: there is no check \"rotated\"\n  hint: the checks are: second_run, any_number_of_threads, "
-            "rotated_vertices, flipped_winding, scaled_clip_space, scissor_crop\n"
+            "rotated_vertices, flipped_winding, scaled_clip_space, scissor_crop, partition\n"
             "a.toml:6:14: second_run must be a string, the reason, not an integer\n"
             "a.toml:7:16: scissor_crop is empty\n  hint: give the reason why the check does not fit this case\n");
 }

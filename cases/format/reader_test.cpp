@@ -141,7 +141,7 @@ TEST(Reader, DepthFormatsAndSamples) {
                                                               {"x8_d24_unorm_pack32", VK_FORMAT_X8_D24_UNORM_PACK32},
                                                               {"d32_sfloat", VK_FORMAT_D32_SFLOAT}};
   for (const auto& [name, format] : formats) {
-    EXPECT_EQ(case_of("target.depth_format = '" + name + "'\n" + kDraw).target.depth_format, format);
+    EXPECT_EQ(case_of(fmt::format("target.depth_format = '{}'\n", name) + kDraw).target.depth_format, format);
   }
   for (const uint32_t samples : {1U, 2U, 4U, 8U, 16U}) {
     const Case one = case_of(fmt::format("target.samples = {}\n", samples) + kDraw);

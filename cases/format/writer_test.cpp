@@ -137,13 +137,13 @@ class RandomCase {
   }
 
  private:
-  Varying make_varying(std::string name, bool only_points) {
+  Varying make_varying(const std::string& name, bool only_points) {
     const auto source = pick(kVaryingSources);
-    if (source == VaryingSource::kFragCoord) return {.name = std::move(name), .components = 4, .source = source};
+    if (source == VaryingSource::kFragCoord) return {.name = name, .components = 4, .source = source};
     if (source == VaryingSource::kPointCoord && only_points) {
-      return {.name = std::move(name), .components = 2, .source = source};
+      return {.name = name, .components = 2, .source = source};
     }
-    Varying varying{std::move(name), 1 + number(kMaxVaryingComponents), pick(kInterpolations)};
+    Varying varying{name, 1 + number(kMaxVaryingComponents), pick(kInterpolations)};
     if (varying.interpolation != Interpolation::kFlat) varying.sampling = pick(kSamplings);
     return varying;
   }

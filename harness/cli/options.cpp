@@ -24,7 +24,10 @@ judge::Profile profile_of(const std::vector<std::string>& names) {
   const auto named = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
   };
-  return {.top_left = named("top_left"), .precise = named("precise"), .same_bits = named("same_bits")};
+  return {.top_left = named("top_left"),
+          .diamond_exit = named("diamond_exit"),
+          .precise = named("precise"),
+          .same_bits = named("same_bits")};
 }
 
 std::string shell_quoted(const std::string& text) {
@@ -57,6 +60,7 @@ std::string party_flags(const run::RunOptions& options) {
   std::vector<std::string> profiles;
   if (options.profile.top_left) profiles.emplace_back("top_left");
   if (options.profile.precise) profiles.emplace_back("precise");
+  if (options.profile.diamond_exit) profiles.emplace_back("diamond_exit");
   if (options.profile.same_bits) profiles.emplace_back("same_bits");
   if (!profiles.empty()) flags += fmt::format(" --profile {}", fmt::join(profiles, ","));
   return flags;
@@ -118,11 +122,12 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   command.add_flag("--validation", run.validation, "load Vulkan's validation layers");
   command
       .add_option("--profile", options.profiles,
-                  "more than the specification asks for: top_left (ties by the top-left rule), precise (imprecise "
-                  "values fail), same_bits (unclipped coverage equal to the reference's)")
+                  "more than the specification asks for: top_left (ties by the top-left rule), "
+                  "diamond_exit (Bresenham lines by that rule), precise (imprecise values fail), same_bits "
+                  "(unclipped coverage equal to the reference's)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"top_left", "precise", "same_bits"}));
+      ->check(CLI::IsMember({"top_left", "diamond_exit", "precise", "same_bits"}));
 }
 
 std::vector<std::string> driver_files() {

@@ -23,10 +23,10 @@ struct Oracle {
   judge::ValueCache values;
   judge::Replay replay;
 
-  Oracle(const Case& test_case, uint32_t subpixel_bits, bool top_left)
+  Oracle(const Case& test_case, uint32_t subpixel_bits, judge::Replay::Rules rules)
       : expectation(test_case, subpixel_bits),
         values(test_case, expectation),
-        replay(test_case, expectation, values, subpixel_bits, top_left) {}
+        replay(test_case, expectation, values, subpixel_bits, rules) {}
 };
 
 // In units of the last place of the float32 next to `exact`.
@@ -71,8 +71,9 @@ class Explainer {
       if (result_.views[i].subpixel_bits == subpixel_bits) return i;
     }
     // The profile binds the candidate alone, which comes first.
-    const bool top_left = profile_.top_left && oracles_.empty();
-    oracles_.push_back(std::make_unique<Oracle>(case_, subpixel_bits, top_left));
+    judge::Replay::Rules rules;
+    if (oracles_.empty()) rules = {.top_left = profile_.top_left, .diamond_exit = profile_.diamond_exit};
+    oracles_.push_back(std::make_unique<Oracle>(case_, subpixel_bits, rules));
     result_.views.push_back(
         {.subpixel_bits = subpixel_bits, .primitives = {}, .possible = oracles_.back()->replay.at(index_)});
     return oracles_.size() - 1;
@@ -146,6 +147,8 @@ class Explainer {
     const exact::Expectation& expectation = oracles_[index]->expectation;
     const double near = -kNearPixels * std::ldexp(1.0, static_cast<int>(view.subpixel_bits));
     for (uint32_t number = 0; number < expectation.pieces().size(); ++number) {
+      // A line or a point has no edges to tell of.
+      if (expectation.pieces()[number].triangle() == nullptr) continue;
       PrimitiveFacts facts =
           facts_of(case_, expectation, number, result_.position[0], result_.position[1], view.subpixel_bits);
       const Boundary* const deciding = facts.deciding();

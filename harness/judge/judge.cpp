@@ -22,11 +22,11 @@ struct Judged {
   RowJudge rows;
   const Possibilities* possible = nullptr;
 
-  Judged(const Case& test_case, const Party& judged, const exact::Expectation& expected, bool top_left)
+  Judged(const Case& test_case, const Party& judged, const exact::Expectation& expected, Replay::Rules rules)
       : party(judged),
         expectation(expected),
         values(test_case, expected),
-        replay(test_case, expected, values, judged.subpixel_bits, top_left),
+        replay(test_case, expected, values, judged.subpixel_bits, rules),
         judge(test_case, *judged.planes, expected, values),
         rows(test_case, *judged.planes, expected, values) {}
 };
@@ -137,7 +137,8 @@ class CaseJudge {
       for (PlaneVerdict& plane : verdict.planes) plane.map.assign(verdict.samples, Verdict::kIdentical);
     }
     for (size_t begin = 0; begin < verdict.samples;) {
-      const size_t row_end = begin - begin % planes.width + planes.width;
+      const size_t row = size_t{planes.width} * planes.samples;
+      const size_t row_end = begin - begin % row + row;
       const size_t end = end_of_run(begin, row_end);
       judge_run(verdict, begin, end);
       begin = end;
@@ -221,8 +222,10 @@ class CaseJudge {
     const PlaneValue candidate_value = value_of(*candidate_.party.planes, kind, component, index);
     Standing candidate = standing_of(candidate_, kind, component, index);
     if (settings_.profile.precise && candidate.level == Class::kImprecise) candidate.level = Class::kOutside;
-    SampleRecord sample{.x = static_cast<uint32_t>(index % case_.target.width),
-                        .y = static_cast<uint32_t>(index / case_.target.width),
+    const exact::SamplePlace place = exact::sample_place(case_.target, index);
+    SampleRecord sample{.x = place.x,
+                        .y = place.y,
+                        .sample = place.sample,
                         .candidate = candidate_value.number,
                         .expected = candidate.expected,
                         .tolerance = candidate.tolerance,
@@ -255,11 +258,15 @@ class CaseJudge {
     for (const exact::Entry& entry : entries) {
       const exact::Piece& piece = expectation.pieces()[entry.piece];
       if (!piece.shape->inside_volume() || piece.shape->undefined()) return false;
+      // Which fragments a Bresenham line has is left open by more than rounding.
+      if (piece.kind == exact::Piece::Kind::kBresenhamLine) return false;
       // Depth within the tolerance of what is stored may pass on one side and fail on the other.
       const RasterState& state = case_.draws[piece.draw].state;
       // Where rounding may turn a primitive over, culling may go either way, as facing may be found before or after.
       if (piece.facing_in_doubt && state.cull_mode != VK_CULL_MODE_NONE) return false;
-      if (state.depth_test && candidate_.possible->least_hits != candidate_.possible->most_hits) return false;
+      if ((state.depth_test || state.depth_bounds) &&
+          candidate_.possible->least_hits != candidate_.possible->most_hits)
+        return false;
     }
     return true;
   }
@@ -276,13 +283,14 @@ class CaseJudge {
 
 CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings) {
   const exact::Expectation for_candidate(test_case, candidate.subpixel_bits);
-  Judged judged_candidate(test_case, candidate, for_candidate, settings.profile.top_left);
+  Judged judged_candidate(test_case, candidate, for_candidate,
+                          {.top_left = settings.profile.top_left, .diamond_exit = settings.profile.diamond_exit});
   if (reference == nullptr) return CaseJudge(test_case, judged_candidate, nullptr, settings).run();
   std::unique_ptr<exact::Expectation> for_reference;
   if (reference->subpixel_bits != candidate.subpixel_bits) {
     for_reference = std::make_unique<exact::Expectation>(test_case, reference->subpixel_bits);
   }
-  Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, false);
+  Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, {});
   return CaseJudge(test_case, judged_candidate, &judged_reference, settings).run();
 }
 

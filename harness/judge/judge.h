@@ -19,9 +19,12 @@ struct Party {
 struct Profile {
   // Ties follow the top-left rule, wherever the vertices lie exactly on the candidate's subpixel grid.
   bool top_left = false;
+  // Bresenham lines are what the diamond-exit rule makes of them, wherever their ends lie exactly on that grid.
+  bool diamond_exit = false;
   // Imprecise values are faults.
   bool precise = false;
-  // Coverage, owner and hits are equal to the reference's wherever no primitive had to be clipped. Applies only to a
+  // Coverage, owner and hits are equal to the reference's wherever no primitive had to be clipped, nor is a Bresenham
+  // line, of which the specification leaves open more than rounding. Applies only to a
   // candidate of the same subpixel bits as the reference.
   bool same_bits = false;
 };

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "harness/judge/variants.h"
+#include "reference/exact/expectation.h"
 
 namespace fillrule::judge {
 namespace {
@@ -54,6 +55,18 @@ std::string differing_coverage(const Planes& a, const Planes& b, bool with_facin
   return {};
 }
 
+constexpr const char* kNotFilled = "not all of it is filled triangles";
+
+// Where the hits of two parts do not add up to those of the whole, in words; open samples are left out.
+std::string differing_sum(const Planes& whole, const Planes& one, const Planes& other,
+                          const std::vector<bool>& open_one, const std::vector<bool>& open_other) {
+  for (size_t i = 0; i < whole.hits.size(); ++i) {
+    if (open_one[i] || open_other[i] || one.hits[i] + other.hits[i] == whole.hits[i]) continue;
+    return place("the sum of hits", i, whole);
+  }
+  return {};
+}
+
 // The original picture inside the rectangle, cleared outside.
 Planes cropped(const Case& test_case, const Planes& original, const VkRect2D& rectangle) {
   Planes result = Planes::cleared(original.width, original.height, original.samples,
@@ -89,6 +102,7 @@ class Checker {
     if (name == "rotated_vertices") return rotated_vertices(name);
     if (name == "flipped_winding") return flipped_winding(name);
     if (name == "scaled_clip_space") return scaled_clip_space(name);
+    if (name == "partition") return partition(name);
     return scissor_crop(name);
   }
 
@@ -118,30 +132,67 @@ class Checker {
   }
 
   CheckResult rotated_vertices(std::string_view name) {
+    if (!draws_filled_triangles(case_)) return does_not_fit(name, kNotFilled);
     return compare_coverage(name, as_triangle_list(case_, {1, 2, 0}));
   }
 
   CheckResult flipped_winding(std::string_view name) {
+    if (!draws_filled_triangles(case_)) return does_not_fit(name, kNotFilled);
     return compare_coverage(name, with_front_faces_flipped(as_triangle_list(case_, {0, 2, 1})));
   }
 
   // Against the original without its depth test, drawn once for both checks that need it.
   CheckResult compare_coverage(std::string_view name, const Case& variant) {
-    if (!tests_depth(case_)) {
-      return compare(name, variant, 0,
-                     [this](const Planes& planes) { return differing_coverage(original_, planes, true); });
-    }
-    if (!without_depth_test_) without_depth_test_ = party_.draw(without_depth_test(case_), 0);
-    if (!*without_depth_test_) return failed(name, to_string(without_depth_test_->error()));
+    const Result<const Planes*> whole = without_depth_test_drawn();
+    if (!whole) return failed(name, to_string(whole.error()));
     return compare(name, without_depth_test(variant), 0,
-                   [this](const Planes& planes) { return differing_coverage(**without_depth_test_, planes, true); });
+                   [&](const Planes& planes) { return differing_coverage(**whole, planes, true); });
+  }
+
+  Result<const Planes*> without_depth_test_drawn() {
+    if (!tests_depth(case_)) return &original_;
+    if (!without_depth_test_) without_depth_test_ = party_.draw(without_depth_test(case_), 0);
+    if (!*without_depth_test_) return tl::unexpected(without_depth_test_->error());
+    return &**without_depth_test_;
+  }
+
+  CheckResult partition(std::string_view name) {
+    if (!party_.features.has(Feature::kClipDistances)) return does_not_fit(name, "it has no user clip distances");
+    if (!draws_filled_triangles(case_)) return does_not_fit(name, kNotFilled);
+    Case one_side = without_depth_test(case_);
+    Case other_side = one_side;
+    if (!add_cut(one_side, false) || !add_cut(other_side, true)) {
+      return does_not_fit(name, "no clip distance is left");
+    }
+    const Result<const Planes*> whole = without_depth_test_drawn();
+    if (!whole) return failed(name, to_string(whole.error()));
+    const Result<Planes> one = party_.draw(one_side, 0);
+    if (!one) return failed(name, to_string(one.error()));
+    return compare(name, other_side, 0, [&](const Planes& other) {
+      return differing_sum(**whole, *one, other, open_samples(one_side), open_samples(other_side));
+    });
+  }
+
+  // Where rounding may cover the sample or not. The cut leaves new vertices on the primitives' own edges, which move
+  // them within the latitude: so not only samples along the cut.
+  [[nodiscard]] std::vector<bool> open_samples(const Case& variant) const {
+    const exact::Expectation expectation(variant, party_.subpixel_bits);
+    std::vector<bool> open(expectation.sole().size());
+    std::vector<exact::Entry> entries;
+    for (size_t i = 0; i < open.size(); ++i) {
+      if (expectation.sole()[i] != exact::kSeveral) continue;
+      expectation.collect(i, entries);
+      open[i] = std::any_of(entries.begin(), entries.end(),
+                            [](const exact::Entry& entry) { return entry.coverage == exact::Coverage::kMay; });
+    }
+    return open;
   }
 
   CheckResult scaled_clip_space(std::string_view name) {
-    const bool reads_w = std::any_of(case_.varyings.begin(), case_.varyings.end(), [](const Varying& varying) {
+    const bool shows_w = std::any_of(case_.varyings.begin(), case_.varyings.end(), [](const Varying& varying) {
       return varying.source == VaryingSource::kFragCoord;
     });
-    if (reads_w) return does_not_fit(name, "gl_FragCoord.w is another");
+    if (shows_w) return does_not_fit(name, "gl_FragCoord shows w");
     Case scaled = case_;
     if (!scale_clip_space(scaled, kScaleExponent))
       return does_not_fit(name, "scaling leaves the normal float32 numbers");

@@ -11,6 +11,9 @@
 // - scaled_clip_space: all four coordinates times 2^6: the geometry is the same, so what was right before is right;
 // only
 //   what the oracle of the original case calls a fault is one.
+// - partition: with a user clip distance d, and again with -d, what each leaves adds up to the whole: the same hits
+// at
+//   every sample whose coverage the oracle does not leave open. Without the depth test.
 // - scissor_crop: a smaller scissor gives the same bytes inside and leaves the rest cleared.
 #pragma once
 
@@ -20,6 +23,7 @@
 #include <vector>
 
 #include "cases/model/case.h"
+#include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
 #include "harness/judge/judge.h"
@@ -37,6 +41,7 @@ struct CheckedParty {
   // Draws with so many threads; 0 is the usual number.
   std::function<Result<Planes>(const Case&, uint32_t threads)> draw;
   uint32_t subpixel_bits = 8;
+  FeatureSet features;  // what it can draw
 };
 
 // All of kChecks, in their order. `original` is what the party drew for the case.

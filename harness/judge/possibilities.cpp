@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "harness/judge/stored_depth.h"
 #include "harness/judge/watertight.h"
 
 namespace fillrule::judge {
@@ -31,9 +32,13 @@ bool has_values(const Piece& piece) {
 // Drawn from the same bits with the same state, two triangles have the same depth to the bit.
 bool same_geometry(const Case& test_case, const Piece& a, const Piece& b) {
   if (a.triangle() == nullptr || b.triangle() == nullptr) return false;
-  const VkViewport& va = test_case.draws[a.draw].state.viewport;
-  const VkViewport& vb = test_case.draws[b.draw].state.viewport;
-  return a.triangle()->vertices() == b.triangle()->vertices() && va.x == vb.x && va.y == vb.y &&
+  const RasterState& sa = test_case.draws[a.draw].state;
+  const RasterState& sb = test_case.draws[b.draw].state;
+  const VkViewport& va = sa.viewport;
+  const VkViewport& vb = sb.viewport;
+  const bool same_state = sa.depth_bias == sb.depth_bias && sa.depth_clamp == sb.depth_clamp &&
+                          sa.negative_one_to_one == sb.negative_one_to_one;
+  return same_state && a.triangle()->vertices() == b.triangle()->vertices() && va.x == vb.x && va.y == vb.y &&
          va.width == vb.width && va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
 }
 
@@ -46,12 +51,12 @@ const exact::PieceValues& ValueCache::values(uint32_t piece) {
 }
 
 Replay::Replay(const Case& test_case, const exact::Expectation& expectation, ValueCache& values,
-               uint32_t subpixel_bits, bool top_left)
+               uint32_t subpixel_bits, Rules rules)
     : case_(test_case),
       expectation_(expectation),
       values_(values),
       subpixel_bits_(subpixel_bits),
-      top_left_(top_left),
+      rules_(rules),
       on_grid_(expectation.pieces().size(), 0) {}
 
 const Possibilities& Replay::at(size_t index) {
@@ -61,10 +66,8 @@ const Possibilities& Replay::at(size_t index) {
   possibilities_.undefined = false;
   possibilities_.outcomes.assign(1, Outcome{.owner_certain = true, .depth_certain = true});
   expectation_.collect(index, entries_);
-  const double x = static_cast<double>(index % case_.target.width) + 0.5;
-  const size_t row = index / case_.target.width;
-  const double y = static_cast<double>(row) + 0.5;
-  if (top_left_) resolve_ties(x, y);
+  const auto [x, y] = exact::sample_place(case_.target, index).position;
+  if (rules_.top_left || rules_.diamond_exit) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
     possibilities_.in_doubt = possibilities_.in_doubt || entry.coverage == Coverage::kMay;
     possibilities_.undefined = possibilities_.undefined || expectation_.pieces()[entry.piece].shape->undefined();
@@ -115,7 +118,7 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
 
 void Replay::resolve_ties(double x, double y) {
   for (Entry& entry : entries_) {
-    if (entry.coverage == Coverage::kMust || !resolved_by_top_left(entry)) continue;
+    if (entry.coverage == Coverage::kMust || !resolved_on_grid(entry)) continue;
     // Nothing is rounded, so the facing is certain too.
     const Piece& piece = expectation_.pieces()[entry.piece];
     entry.coverage = !piece.culled && piece.shape->owns(x, y) ? Coverage::kMust : Coverage::kMustNot;
@@ -123,9 +126,13 @@ void Replay::resolve_ties(double x, double y) {
   std::erase_if(entries_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
 }
 
-bool Replay::resolved_by_top_left(const Entry& entry) {
-  const exact::Shape& shape = *expectation_.pieces()[entry.piece].shape;
-  if ((entry.doubt & ~exact::kDoubtEdges) != 0 || shape.undefined() || !shape.inside_volume()) return false;
+bool Replay::resolved_on_grid(const Entry& entry) {
+  const Piece& piece = expectation_.pieces()[entry.piece];
+  const exact::Shape& shape = *piece.shape;
+  const bool is_bresenham = piece.kind == Piece::Kind::kBresenhamLine;
+  if (!(is_bresenham ? rules_.diamond_exit : rules_.top_left) || piece.open) return false;
+  const auto resolvable = is_bresenham ? exact::kDoubtShape : exact::kDoubtEdges;
+  if ((entry.doubt & ~resolvable) != 0 || shape.undefined() || !shape.inside_volume()) return false;
   uint8_t& known = on_grid_[entry.piece];
   if (known == 0) known = shape.on_grid(subpixel_bits_) ? 2 : 1;
   return known == 2;
@@ -134,24 +141,27 @@ bool Replay::resolved_by_top_left(const Entry& entry) {
 void Replay::land(const Entry& entry, bool must, double x, double y) {
   const Piece& piece = expectation_.pieces()[entry.piece];
   const RasterState& state = case_.draws[piece.draw].state;
-  const bool certain = entry.coverage == Coverage::kMust && has_values(piece);
+  // Wherever a Bresenham line has a fragment, its values are those of the place.
+  const bool is_bresenham = piece.kind == Piece::Kind::kBresenhamLine;
+  const bool certain = (entry.coverage == Coverage::kMust || is_bresenham) && has_values(piece);
   bool lands_always = must;
   bool lands_ever = false;
   before_.swap(possibilities_.outcomes);
   possibilities_.outcomes.clear();
   for (const Outcome& before : before_) {
-    const DepthResult result =
-        state.depth_test ? depth_test(entry.piece, before.depth_writer, x, y) : DepthResult::kPasses;
+    const DepthResult result = tests(entry.piece, before.depth_writer, x, y);
     const bool lands = result != DepthResult::kFails;
     lands_ever = lands_ever || lands;
     lands_always = lands_always && result == DepthResult::kPasses;
-    if (!must || result != DepthResult::kPasses) add_unique(possibilities_.outcomes, before);
+    // In which order a polygon's edges or corners are drawn is left open: the one before may have been the last.
+    const bool was_first = before.piece != kNoOwner && any_order(entry.piece, before.piece);
+    if (!must || result != DepthResult::kPasses || was_first) add_unique(possibilities_.outcomes, before);
     if (!lands) continue;
     Outcome after = before;
     after.owner = piece.owner;
     after.piece = entry.piece;
     after.owner_certain = certain;
-    if (state.depth_test && state.depth_write) {
+    if (state.depth_test && state.depth_write && case_.target.depth_format != VK_FORMAT_UNDEFINED) {
       after.depth_writer = entry.piece;
       after.depth_certain = certain;
     }
@@ -161,12 +171,45 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   possibilities_.most_hits += lands_ever ? 1 : 0;
 }
 
-exact::Expected Replay::depth_of(uint32_t piece, double x, double y) {
-  if (piece == kNoOwner) return {.value = double{case_.target.clear_depth}, .tolerance = 0};
+// What may be stored for the piece, or, for none, what the target was cleared to.
+exact::DepthRange Replay::depth_of(uint32_t piece, double x, double y) {
+  const VkFormat format = case_.target.depth_format;
+  if (piece == kNoOwner) return exact::stored_clear(format, case_.target.clear_depth, false);
   if (!has_values(expectation_.pieces()[piece])) {
-    return {.value = 0, .tolerance = std::numeric_limits<double>::infinity()};
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    return {.low = -kInfinity, .high = kInfinity};
   }
-  return values_.values(piece).depth(x, y);
+  const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
+  return range_in(format, state, values_.values(piece).depth(x, y));
+}
+
+// What is stored has to be within the bounds; a fixed-point format may round them too.
+Replay::DepthResult Replay::bounds_test(const DepthBounds& bounds, uint32_t stored, double x, double y) {
+  const exact::DepthRange present = depth_of(stored, x, y);
+  const double step = 2 * exact::half_step(case_.target.depth_format);
+  const double min{bounds.min};
+  const double max{bounds.max};
+  if (present.low >= min + step && present.high <= max - step) return DepthResult::kPasses;
+  if (present.high < min - step || present.low > max + step) return DepthResult::kFails;
+  return DepthResult::kEither;
+}
+
+Replay::DepthResult Replay::tests(uint32_t piece, uint32_t stored, double x, double y) {
+  // Without a depth attachment both tests pass.
+  if (case_.target.depth_format == VK_FORMAT_UNDEFINED) return DepthResult::kPasses;
+  const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
+  DepthResult result = DepthResult::kPasses;
+  if (state.depth_bounds) result = bounds_test(*state.depth_bounds, stored, x, y);
+  if (!state.depth_test || result == DepthResult::kFails) return result;
+  const DepthResult by_depth = depth_test(piece, stored, x, y);
+  return by_depth == DepthResult::kPasses ? result : by_depth;
+}
+
+// Of two parts of one outline either may be drawn first.
+bool Replay::any_order(uint32_t piece, uint32_t stored) const {
+  if (stored == kNoOwner) return false;
+  const Piece& part = expectation_.pieces()[piece];
+  return part.of_polygon && part.owner == expectation_.pieces()[stored].owner;
 }
 
 Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x, double y) {
@@ -176,14 +219,13 @@ Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x
   bool may_be_less = false;
   bool may_be_greater = false;
   bool may_be_equal = true;
+  if (any_order(piece, stored)) return DepthResult::kEither;
   if (stored == kNoOwner || !same_geometry(case_, expectation_.pieces()[piece], expectation_.pieces()[stored])) {
-    const exact::Expected incoming = depth_of(piece, x, y);
-    const exact::Expected present = depth_of(stored, x, y);
-    const double gap = incoming.value - present.value;
-    const double tolerance = incoming.tolerance + present.tolerance;
-    may_be_less = gap < tolerance;
-    may_be_greater = gap > -tolerance;
-    may_be_equal = std::abs(gap) <= tolerance;
+    const exact::DepthRange incoming = depth_of(piece, x, y);
+    const exact::DepthRange present = depth_of(stored, x, y);
+    may_be_less = incoming.low < present.high;
+    may_be_greater = incoming.high > present.low;
+    may_be_equal = incoming.low <= present.high && incoming.high >= present.low;
   }
   const auto bit = static_cast<uint32_t>(op);  // less 1, equal 2, greater 4: VkCompareOp is made of them
   const bool passes_ever =

@@ -51,10 +51,14 @@ class ValueCache {
 
 class Replay {
  public:
-  // `top_left`: resolve ties by the top-left rule where the vertices are exactly on the subpixel grid; more than the
-  // specification asks for.
+  // Where the vertices are exactly on the subpixel grid more may be asked for than the specification does: ties by
+  // the top-left rule, Bresenham lines by the diamond-exit rule.
+  struct Rules {
+    bool top_left = false;
+    bool diamond_exit = false;
+  };
   Replay(const Case& test_case, const exact::Expectation& expectation, ValueCache& values, uint32_t subpixel_bits,
-         bool top_left);
+         Rules rules);
 
   // `index` is that of Planes. The result is valid until the next call.
   const Possibilities& at(size_t index);
@@ -67,15 +71,19 @@ class Replay {
   void replay(size_t begin, size_t end, double x, double y);
   bool replay_watertight(size_t begin, size_t end, double x, double y);
   void land(const exact::Entry& entry, bool must, double x, double y);
+  [[nodiscard]] bool any_order(uint32_t piece, uint32_t stored) const;
   [[nodiscard]] DepthResult depth_test(uint32_t piece, uint32_t stored, double x, double y);
-  [[nodiscard]] bool resolved_by_top_left(const exact::Entry& entry);
-  [[nodiscard]] exact::Expected depth_of(uint32_t piece, double x, double y);
+  [[nodiscard]] bool resolved_on_grid(const exact::Entry& entry);
+  [[nodiscard]] DepthResult bounds_test(const DepthBounds& bounds, uint32_t stored, double x, double y);
+  // The depth test and the depth bounds test.
+  [[nodiscard]] DepthResult tests(uint32_t piece, uint32_t stored, double x, double y);
+  [[nodiscard]] exact::DepthRange depth_of(uint32_t piece, double x, double y);
 
   const Case& case_;
   const exact::Expectation& expectation_;
   ValueCache& values_;
   uint32_t subpixel_bits_;
-  bool top_left_;
+  Rules rules_;
   std::vector<uint8_t> on_grid_;  // for each piece: 0 not asked yet, 1 no, 2 yes
   std::vector<exact::Entry> entries_;
   std::vector<Outcome> before_;

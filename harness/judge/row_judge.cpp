@@ -45,6 +45,11 @@ bool passes_throughout(VkCompareOp op, double low, double high, double stored) {
   }
 }
 
+// Stored as it is interpolated, in [0, 1].
+bool has_plain_depth(const RasterState& state, VkFormat format) {
+  return format == VK_FORMAT_D32_SFLOAT && state.depth_clip && !state.depth_clamp && !state.depth_bias;
+}
+
 }  // namespace
 
 RowJudge::Landing RowJudge::landing_of(uint32_t number) {
@@ -55,8 +60,10 @@ RowJudge::Landing RowJudge::landing_of(uint32_t number) {
   const exact::Piece& piece = expectation_.pieces()[number];
   const RasterState& state = case_.draws[piece.draw].state;
   if (piece.triangle() == nullptr || piece.thin || piece.shape->undefined() || piece.facing_in_doubt) return landing;
+  if (state.depth_bounds) return landing;
   if (!state.depth_test) return landing = Landing::kCertain;
   if (!piece.triangle()->in_front()) return landing;
+  if (!has_plain_depth(state, case_.target.depth_format)) return landing;
   const auto range = values_.triangle(number).depth_range();
   // Depths are clamped before they are compared.
   const double low = std::clamp(range.low, 0.0, 1.0);
@@ -68,12 +75,14 @@ RowJudge::Landing RowJudge::landing_of(uint32_t number) {
 
 bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
   if (sole != exact::kNothing && landing_of(sole) != Landing::kCertain) return false;
+  // Several samples of a pixel are asked one by one.
+  if (sole != exact::kNothing && planes_.samples > 1) return false;
   sole_ = sole;
   begin_ = begin;
   size_ = end - begin;
-  x_ = static_cast<double>(begin % planes_.width) + 0.5;
-  const size_t row = begin / planes_.width;
-  y_ = static_cast<double>(row) + 0.5;
+  const exact::Position position = exact::sample_place(case_.target, begin).position;
+  x_ = position.x;
+  y_ = position.y;
   has_w_ = false;
   w_.resize(size_);
   expected_.resize(size_);
@@ -93,24 +102,30 @@ bool RowJudge::integers_right() const {
   return difference == 0;
 }
 
+bool RowJudge::depth_within(const float* row) {
+  const RasterState* const state =
+      sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[sole_].draw].state;
+  if (state == nullptr || !state->depth_test || !state->depth_write) {
+    const float clear = exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth});
+    std::fill(expected_.begin(), expected_.end(), double{clear});
+    return all_equal(row, size_, clear);
+  }
+  if (!has_plain_depth(*state, case_.target.depth_format)) return false;
+  values_.triangle(sole_).depth_row(x_, y_, expected_, least_);
+  for (double& depth : expected_) depth = std::clamp(depth, 0.0, 1.0);
+  return all_within(row, expected_, least_);
+}
+
 bool RowJudge::within(PlaneKind kind, uint32_t component) {
   const float* const row = values(kind, component);
-  if (kind == PlaneKind::kDepth) {
-    const RasterState* const state =
-        sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[sole_].draw].state;
-    if (state == nullptr || !state->depth_test || !state->depth_write) {
-      std::fill(expected_.begin(), expected_.end(), double{case_.target.clear_depth});
-      return all_equal(row, size_, case_.target.clear_depth);
-    }
-    values_.triangle(sole_).depth_row(x_, y_, expected_, least_);
-    return all_within(row, expected_, least_);
-  }
+  if (kind == PlaneKind::kDepth) return depth_within(row);
   if (sole_ == exact::kNothing) {
     std::fill(expected_.begin(), expected_.end(), 0.0);
     return all_equal(row, size_, 0);
   }
+  if (sources_[component].source != VaryingSource::kVertices) return false;
   const exact::TriangleValues& triangle = values_.triangle(sole_);
-  const exact::TriangleValues::Component& prepared = triangle.component(component);
+  const exact::TriangleValues::Component& prepared = triangle.component(sources_[component].number);
   if (prepared.interpolation == Interpolation::kFlat) {
     std::fill(expected_.begin(), expected_.end(), double{prepared.provoking});
     return all_equal(row, size_, prepared.provoking);

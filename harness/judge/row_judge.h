@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "harness/judge/components.h"
 #include "harness/judge/possibilities.h"
 #include "harness/judge/verdict.h"
 
@@ -15,7 +16,11 @@ namespace fillrule::judge {
 class RowJudge {
  public:
   RowJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation, ValueCache& values)
-      : case_(test_case), planes_(planes), expectation_(expectation), values_(values) {}
+      : case_(test_case),
+        planes_(planes),
+        expectation_(expectation),
+        values_(values),
+        sources_(component_sources(test_case.varyings)) {}
 
   // Prepares for samples [begin, end) of one row; `sole` as Expectation::sole() has it, not kSeveral. False if the
   // outcome is not certain after all: a depth test that may fail, or a primitive whose values are undefined ground.
@@ -37,11 +42,13 @@ class RowJudge {
  private:
   enum class Landing : uint8_t { kUnknown, kCertain, kUncertain };
   Landing landing_of(uint32_t number);
+  bool depth_within(const float* row);
 
   const Case& case_;
   const Planes& planes_;
   const exact::Expectation& expectation_;
   ValueCache& values_;
+  std::vector<ComponentSource> sources_;
   std::vector<Landing> landing_;  // for each primitive, once asked
   uint32_t sole_ = 0;
   size_t begin_ = 0;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "harness/judge/components.h"
 #include "harness/judge/possibilities.h"
 
 namespace fillrule::judge {
@@ -32,19 +33,27 @@ class PartyJudge {
   [[nodiscard]] Standing varying(const Possibilities& possible, size_t index, uint32_t component) const;
 
  private:
-  [[nodiscard]] double x_of(size_t index) const { return static_cast<double>(index % planes_.width) + 0.5; }
-  [[nodiscard]] double y_of(size_t index) const {
-    const size_t row = index / planes_.width;
-    return static_cast<double>(row) + 0.5;
-  }
+  [[nodiscard]] bool breaks_line_rule(size_t index) const;
   [[nodiscard]] Standing depth_of(const Outcome& outcome, size_t index) const;
   [[nodiscard]] Standing varying_of(const Outcome& outcome, size_t index, uint32_t component) const;
+  [[nodiscard]] Standing frag_coord(const exact::Piece& piece, const exact::PieceValues& values,
+                                    const ComponentSource& source, float value,
+                                    const exact::SamplePlace& place) const;
+  [[nodiscard]] Standing point_coord(const exact::Piece& piece, const exact::PieceValues& values,
+                                     const ComponentSource& source, float value,
+                                     const exact::SamplePlace& place) const;
+  // The best standing over the places where a value may be evaluated that is neither at a sample nor a centroid: the
+  // pixel's centre, or, where samples are shaded, the sample too.
+  template <typename StandingAt>
+  [[nodiscard]] Standing best_place(const exact::SamplePlace& place, const StandingAt& standing_at) const;
 
   const Case& case_;
   const Planes& planes_;
   const exact::Expectation& expectation_;
   ValueCache& values_;
-  std::vector<Interpolation> interpolation_;  // of each component
+  std::vector<ComponentSource> sources_;  // of each component
+  bool shades_samples_;
+  std::vector<size_t> broken_;  // where a rule for lines as a whole is broken (line_rules.h)
 };
 
 }  // namespace fillrule::judge

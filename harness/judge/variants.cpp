@@ -10,37 +10,40 @@
 namespace fillrule::judge {
 namespace {
 
-void append_some(const std::vector<float>& from, size_t vertex, size_t count, std::vector<float>& to) {
-  const auto first = from.begin() + static_cast<ptrdiff_t>(vertex * count);
-  to.insert(to.end(), first, first + static_cast<ptrdiff_t>(count));
-}
-
-// A corner that has the flat varyings of the provoking vertex and all else of its own.
-void append_corner(const Draw& draw, uint32_t vertex, uint32_t provoking, const std::vector<Varying>& varyings,
-                   Draw& list) {
-  list.positions.push_back(draw.positions[vertex]);
-  append_some(draw.clip_distances, vertex, draw.clip_distance_count, list.clip_distances);
-  append_some(draw.cull_distances, vertex, draw.cull_distance_count, list.cull_distances);
-  const size_t stride = vertex_component_count(varyings);
-  size_t component = 0;
-  for (const Varying& varying : varyings) {
-    if (varying.source != VaryingSource::kVertices) continue;
-    const uint32_t source = varying.interpolation == Interpolation::kFlat ? provoking : vertex;
-    for (uint32_t c = 0; c < varying.components; ++c, ++component) {
-      list.varyings.push_back(draw.varyings[source * stride + component]);
-    }
-  }
-}
-
 Draw as_triangle_list(const Draw& draw, const std::vector<Varying>& varyings, const std::array<uint32_t, 3>& order) {
-  Draw list{.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, .state = draw.state};
-  list.clip_distance_count = draw.clip_distance_count;
-  list.cull_distance_count = draw.cull_distance_count;
+  Draw list{.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+            .state = draw.state,
+            .clip_distance_count = draw.clip_distance_count,
+            .cull_distance_count = draw.cull_distance_count};
+  const size_t stride = vertex_component_count(varyings);
+  const auto copy_distances = [](const std::vector<float>& from, uint32_t count, uint32_t vertex,
+                                 std::vector<float>& to) {
+    const auto begin = from.begin() + static_cast<ptrdiff_t>(size_t{vertex} * count);
+    to.insert(to.end(), begin, begin + static_cast<ptrdiff_t>(count));
+  };
   for (const exact::AssembledTriangle& triangle : exact::assemble(draw)) {
     const uint32_t provoking = triangle.vertices[triangle.provoking];
-    for (const uint32_t corner : order) append_corner(draw, triangle.vertices[corner], provoking, varyings, list);
+    for (const uint32_t corner : order) {
+      const uint32_t vertex = triangle.vertices[corner];
+      list.positions.push_back(draw.positions[vertex]);
+      copy_distances(draw.clip_distances, draw.clip_distance_count, vertex, list.clip_distances);
+      copy_distances(draw.cull_distances, draw.cull_distance_count, vertex, list.cull_distances);
+      size_t component = 0;
+      for (const Varying& varying : varyings) {
+        if (varying.source != VaryingSource::kVertices) continue;
+        const uint32_t source = varying.interpolation == Interpolation::kFlat ? provoking : vertex;
+        for (uint32_t c = 0; c < varying.components; ++c, ++component) {
+          list.varyings.push_back(draw.varyings[source * stride + component]);
+        }
+      }
+    }
   }
   return list;
+}
+
+// The ends of a line have an order, and so have the edges of a polygon drawn as lines.
+bool is_filled(const Draw& draw) {
+  return draw.topology >= VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST && draw.state.polygon_mode == VK_POLYGON_MODE_FILL;
 }
 
 // Whether a coordinate can be scaled without rounding.
@@ -54,12 +57,15 @@ bool scales(float coordinate, int exponent) {
 
 Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& order) {
   Case result = test_case;
-  for (Draw& draw : result.draws) draw = as_triangle_list(draw, test_case.varyings, order);
+  for (Draw& draw : result.draws) {
+    if (is_filled(draw)) draw = as_triangle_list(draw, test_case.varyings, order);
+  }
   return result;
 }
 
 Case with_front_faces_flipped(Case test_case) {
   for (Draw& draw : test_case.draws) {
+    if (!is_filled(draw)) continue;
     const bool clockwise = draw.state.front_face == VK_FRONT_FACE_CLOCKWISE;
     draw.state.front_face = clockwise ? VK_FRONT_FACE_COUNTER_CLOCKWISE : VK_FRONT_FACE_CLOCKWISE;
   }
@@ -67,13 +73,41 @@ Case with_front_faces_flipped(Case test_case) {
 }
 
 Case without_depth_test(Case test_case) {
-  for (Draw& draw : test_case.draws) draw.state.depth_test = false;
+  for (Draw& draw : test_case.draws) {
+    draw.state.depth_test = false;
+    draw.state.depth_bounds.reset();
+  }
   return test_case;
 }
 
 bool tests_depth(const Case& test_case) {
   return std::any_of(test_case.draws.begin(), test_case.draws.end(),
-                     [](const Draw& draw) { return draw.state.depth_test; });
+                     [](const Draw& draw) { return draw.state.depth_test || draw.state.depth_bounds; });
+}
+
+bool draws_filled_triangles(const Case& test_case) {
+  return std::all_of(test_case.draws.begin(), test_case.draws.end(), [](const Draw& draw) {
+    return exact::draws_polygons(draw) && draw.state.polygon_mode == VK_POLYGON_MODE_FILL;
+  });
+}
+
+bool add_cut(Case& test_case, bool other_side) {
+  for (Draw& draw : test_case.draws) {
+    const uint32_t count = draw.clip_distance_count;
+    if (count + draw.cull_distance_count == kMaxClipAndCullDistances) return false;
+    std::vector<float> distances;
+    for (size_t vertex = 0; vertex < draw.positions.size(); ++vertex) {
+      const auto& [x, y, z, w] = draw.positions[vertex];
+      // Askew, so that few samples are on it, and through the middle of the view volume.
+      const float distance = 0.6875F * x + 0.4375F * y + 0.03125F * w;
+      const auto begin = draw.clip_distances.begin() + static_cast<ptrdiff_t>(vertex * count);
+      distances.insert(distances.end(), begin, begin + static_cast<ptrdiff_t>(count));
+      distances.push_back(other_side ? -distance : distance);
+    }
+    draw.clip_distances = std::move(distances);
+    draw.clip_distance_count = count + 1;
+  }
+  return true;
 }
 
 bool scale_clip_space(Case& test_case, int exponent) {

@@ -21,10 +21,19 @@ Result<void> check_varyings(const Case& drawn_case) {
     return failure(fmt::format("{} components of varyings", components),
                    fmt::format("at most {}", kMaxVaryings * kMaxVaryingComponents));
   }
+  for (const Varying& varying : drawn_case.varyings) {
+    if (varying.source == VaryingSource::kFragCoord && varying.components > 4) {
+      return failure(fmt::format("{} components of gl_FragCoord", varying.components), "4");
+    }
+    if (varying.source == VaryingSource::kPointCoord && varying.components > 2) {
+      return failure(fmt::format("{} components of gl_PointCoord", varying.components), "2");
+    }
+  }
+  const uint32_t vertex_components = vertex_component_count(drawn_case.varyings);
   for (const Draw& draw : drawn_case.draws) {
-    if (draw.varyings.size() != draw.positions.size() * components) {
+    if (draw.varyings.size() != draw.positions.size() * vertex_components) {
       return failure(fmt::format("{} values of varyings for {} vertices of {} components", draw.varyings.size(),
-                                 draw.positions.size(), components));
+                                 draw.positions.size(), vertex_components));
     }
   }
   return {};
@@ -44,9 +53,15 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
   for (const Varying& varying : varyings) {
     has_centroid_ = has_centroid_ || varying.sampling == Sampling::kCentroid;
     has_sample_ = has_sample_ || varying.sampling == Sampling::kSample;
+    has_frag_coord_ = has_frag_coord_ || varying.source == VaryingSource::kFragCoord;
+    has_point_coord_ = has_point_coord_ || varying.source == VaryingSource::kPointCoord;
+    const bool is_of_vertices = varying.source == VaryingSource::kVertices;
     for (uint32_t i = 0; i < varying.components; ++i) {
-      components_[component_count_] = {planes.varyings[component_count_].data(), varying.interpolation,
-                                       varying.sampling};
+      components_[component_count_] = {.plane = planes.varyings[component_count_].data(),
+                                       .interpolation = varying.interpolation,
+                                       .sampling = varying.sampling,
+                                       .source = varying.source,
+                                       .index = is_of_vertices ? vertex_component_count_++ : i};
       ++component_count_;
     }
   }
@@ -54,12 +69,17 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
 
 FeatureSet renderer_features() {
   FeatureSet features;
-  for (const Feature feature :
-       {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast, Feature::kSamples2,
-        Feature::kSamples4, Feature::kSamples8, Feature::kSamples16, Feature::kSampleMask, Feature::kCentroid,
-        Feature::kSampleShading, Feature::kDepthD16, Feature::kDepthX8D24, Feature::kDepthBias,
-        Feature::kDepthBiasClamp, Feature::kDepthBounds, Feature::kDepthClamp, Feature::kDepthClipOff,
-        Feature::kNegativeOneToOne}) {
+  for (const Feature feature : {Feature::kIndexTypeUint8, Feature::kPrimitiveRestart, Feature::kProvokingVertexLast,
+                                Feature::kSamples2,       Feature::kSamples4,         Feature::kSamples8,
+                                Feature::kSamples16,      Feature::kSampleMask,       Feature::kCentroid,
+                                Feature::kSampleShading,  Feature::kDepthD16,         Feature::kDepthX8D24,
+                                Feature::kDepthBias,      Feature::kDepthBiasClamp,   Feature::kDepthBounds,
+                                Feature::kDepthClamp,     Feature::kDepthClipOff,     Feature::kNegativeOneToOne,
+                                Feature::kClipDistances,  Feature::kCullDistances,    Feature::kFragCoord}) {
+    features.add(feature);
+  }
+  for (const Feature feature : {Feature::kPoints, Feature::kLargePoints, Feature::kLines, Feature::kBresenhamLines,
+                                Feature::kWideLines, Feature::kFillModeNonSolid, Feature::kPointCoord}) {
     features.add(feature);
   }
   return features;
@@ -96,7 +116,10 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
                      .vertex_count = static_cast<uint32_t>(draw.positions.size()),
                      .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
                      .vertex_offset = draw.vertex_offset,
-                     .runs = runs},
+                     .runs = runs,
+                     .point_sizes = draw.point_sizes},
+        .clip_distances = {.count = draw.clip_distance_count, .values = draw.clip_distances},
+        .cull_distances = {.count = draw.cull_distance_count, .values = draw.cull_distances},
         .state = draw.state,
         .depth = {planes.depth, target.depth_format},
     };

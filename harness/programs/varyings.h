@@ -34,7 +34,7 @@ class VaryingsProgram {
     PrimitiveData data{.owner = first_primitive_ + primitive.primitive,
                        .front_facing = primitive.front_facing ? 1U : 0U};
     for (size_t i = 0; i < 3; ++i) {
-      const size_t first_component = size_t{primitive.vertices[i]} * component_count_;
+      const size_t first_component = size_t{primitive.vertices[i]} * vertex_component_count_;
       data.components[i] = draw_->varyings.data() + first_component;
     }
     return data;
@@ -50,9 +50,9 @@ class VaryingsProgram {
     if (component_count_ == 0) {
       return;
     }
-    const std::array<renderer::PixelWeights, 3> weights = weights_of(fragment);
+    const Inputs inputs = inputs_of(fragment);
     for (uint32_t i = 0; i < component_count_; ++i) {
-      const float value = value_of(i, data, weights);
+      const float value = value_of(components_[i], data, inputs);
       for_each_sample(pixel, fragment.samples, [&](size_t sample) { components_[i].plane[sample] = value; });
     }
   }
@@ -62,6 +62,15 @@ class VaryingsProgram {
     float* plane = nullptr;
     Interpolation interpolation = Interpolation::kSmooth;
     Sampling sampling = Sampling::kCenter;
+    VaryingSource source = VaryingSource::kVertices;
+    uint32_t index = 0;  // of the component in the vertex, or in the built-in
+  };
+
+  // What a fragment's values come from; only what a varying uses is filled in.
+  struct Inputs {
+    std::array<renderer::PixelWeights, 3> weights;  // for each kind of sampling
+    std::array<float, 4> frag_coord{};
+    std::array<float, 2> point_coord{};
   };
 
   // Calls visit(index of the sample in the planes) for each bit of `samples`.
@@ -72,27 +81,37 @@ class VaryingsProgram {
     }
   }
 
-  // Where each kind of sampling takes place; only those that a varying uses are filled in.
-  [[nodiscard]] std::array<renderer::PixelWeights, 3> weights_of(const renderer::Fragment& fragment) const {
-    std::array<renderer::PixelWeights, 3> weights;
-    weights[static_cast<size_t>(Sampling::kCenter)] = fragment.weights();
+  [[nodiscard]] Inputs inputs_of(const renderer::Fragment& fragment) const {
+    Inputs inputs;
+    inputs.weights[static_cast<size_t>(Sampling::kCenter)] = fragment.weights();
     if (has_centroid_) {
-      weights[static_cast<size_t>(Sampling::kCentroid)] = fragment.weights(fragment.centroid);
+      inputs.weights[static_cast<size_t>(Sampling::kCentroid)] = fragment.weights(fragment.centroid);
     }
     if (has_sample_) {
-      weights[static_cast<size_t>(Sampling::kSample)] = fragment.weights(fragment.position);
+      inputs.weights[static_cast<size_t>(Sampling::kSample)] = fragment.weights(fragment.position);
     }
-    return weights;
+    if (has_frag_coord_) {
+      inputs.frag_coord = fragment.frag_coord();
+    }
+    if (has_point_coord_) {
+      inputs.point_coord = fragment.point_coord();
+    }
+    return inputs;
   }
 
-  [[nodiscard]] float value_of(uint32_t i, const PrimitiveData& data,
-                               const std::array<renderer::PixelWeights, 3>& weights) const {
+  [[nodiscard]] static float value_of(const Component& component, const PrimitiveData& data, const Inputs& inputs) {
+    const uint32_t i = component.index;
+    if (component.source == VaryingSource::kFragCoord) {
+      return inputs.frag_coord[i];
+    }
+    if (component.source == VaryingSource::kPointCoord) {
+      return inputs.point_coord[i];
+    }
     const auto& [value0, value1, value2] = data.components;
-    const Component& component = components_[i];
     if (component.interpolation == Interpolation::kFlat) {
       return value0[i];
     }
-    const auto& [smooth, noperspective] = weights[static_cast<size_t>(component.sampling)];
+    const auto& [smooth, noperspective] = inputs.weights[static_cast<size_t>(component.sampling)];
     const bool is_smooth = component.interpolation == Interpolation::kSmooth;
     return renderer::interpolate(value0[i], value1[i], value2[i], is_smooth ? smooth : noperspective);
   }
@@ -106,6 +125,9 @@ class VaryingsProgram {
   uint32_t* front_facing_;
   std::array<Component, size_t{kMaxVaryings} * kMaxVaryingComponents> components_;
   uint32_t component_count_ = 0;
+  uint32_t vertex_component_count_ = 0;
+  bool has_frag_coord_ = false;
+  bool has_point_coord_ = false;
   bool has_centroid_ = false;
   bool has_sample_ = false;
 };

@@ -117,6 +117,70 @@ TEST(DrawCase, RestartOffsetAndProvokingVertex) {
   EXPECT_THAT(ids(VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT), ::testing::ElementsAre(3, 4, 5, 6));
 }
 
+TEST(DrawCase, FragCoordStandsBetweenVertexVaryings) {
+  Case drawn_case = two_draws();
+  drawn_case.draws.pop_back();
+  drawn_case.varyings = {{"first", 1, Interpolation::kFlat},
+                         {"at", 4, Interpolation::kSmooth, Sampling::kCenter, VaryingSource::kFragCoord},
+                         {"second", 1, Interpolation::kFlat}};
+  Draw& draw = drawn_case.draws[0];
+  draw.varyings = {7, 8, 0, 0, 0, 0};
+  draw.state.depth_bias = DepthBias{.constant_factor = 0x1p22F};
+  draw.state.viewport.maxDepth = 0.75F;
+  Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  const size_t pixel = size_t{2} * 8 + 3;
+  EXPECT_EQ(planes->varyings[0][pixel], 7);
+  EXPECT_EQ(planes->varyings[1][pixel], 3.5F);
+  EXPECT_EQ(planes->varyings[2][pixel], 2.5F);
+  EXPECT_EQ(planes->varyings[3][pixel], 0.375F + 0.125F);  // of 3/8 the exponent is -2, so 2^-25 is added 2^22 times
+  EXPECT_EQ(planes->varyings[4][pixel], 1 - 3.5F / 32);
+  EXPECT_EQ(planes->varyings[5][pixel], 8);
+  // At samples, if another varying asks for them.
+  drawn_case.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  drawn_case.varyings[2] = {"second", 1, Interpolation::kSmooth, Sampling::kSample};
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_EQ(planes->varyings[1][4 * pixel + 1], 3.875F);
+  EXPECT_EQ(planes->varyings[2][4 * pixel + 1], 2.375F);
+  EXPECT_EQ(planes->varyings[4][4 * pixel + 1], 1 - 3.875F / 32);
+}
+
+TEST(DrawCase, PointCoordGoesFromTheLeftTopOfThePoint) {
+  Case drawn_case = two_draws();
+  drawn_case.draws.pop_back();
+  drawn_case.varyings = {{"at", 2, Interpolation::kSmooth, Sampling::kCenter, VaryingSource::kPointCoord},
+                         {"value", 1, Interpolation::kSmooth}};
+  Draw& draw = drawn_case.draws[0];
+  draw.topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+  draw.positions = {{0, 0, 0.5F, 1}};  // the middle of 8x8 pixels
+  draw.varyings = {7};
+  draw.point_sizes = {4};
+  Result<Planes> planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  const size_t pixel = size_t{5} * 8 + 2;
+  EXPECT_EQ(planes->hits[pixel], 1U);
+  EXPECT_EQ(planes->varyings[0][pixel], 0.125F);
+  EXPECT_EQ(planes->varyings[1][pixel], 0.875F);
+  EXPECT_EQ(planes->varyings[2][pixel], 7);
+  // At samples where it is asked for there.
+  drawn_case.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  drawn_case.varyings[0].sampling = Sampling::kSample;
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_EQ(planes->varyings[0][4 * pixel + 1], 0.875F / 4);
+  EXPECT_EQ(planes->varyings[1][4 * pixel + 1], 3.375F / 4);
+  // Nothing else has one.
+  draw.topology = VK_PRIMITIVE_TOPOLOGY_LINE_LIST;
+  draw.positions = {{-1, 0, 0.5F, 1}, {1, 0, 0.5F, 1}};
+  draw.varyings = {7, 7};
+  draw.point_sizes.clear();
+  planes = draw_case(drawn_case, {});
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_EQ(planes->hits[4 * pixel], 0U);
+  EXPECT_EQ(planes->varyings[0], std::vector<float>(planes->hits.size()));
+}
+
 // The window's x as a varying of each kind: where it was evaluated.
 TEST(DrawCase, EveryKindOfSamplingWritesAllSamplesOfItsFragment) {
   Case drawn_case = two_draws();

@@ -125,7 +125,9 @@ struct SuiteRunner::State {
     timing.judge_seconds += judged - drawn;
     if (options.checks) {
       result.checks = judge::metamorphic_checks(
-          test_case, {.draw = candidate.draw, .subpixel_bits = candidate.subpixel_bits}, *planes);
+          test_case,
+          {.draw = candidate.draw, .subpixel_bits = candidate.subpixel_bits, .features = candidate.features},
+          *planes);
     }
     result.seconds = seconds_since(start);
     timing.check_seconds += result.seconds - judged;

@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "reference/exact/assembly.h"
+#include "reference/exact/clip_edges.h"
+#include "reference/exact/outline.h"
 #include "reference/exact/value_bound.h"
 
 namespace fillrule::exact {
@@ -45,19 +47,20 @@ VkRect2D pixels_of(const Piece& piece, const RasterState& state, const Target& t
                      .height = static_cast<uint32_t>(std::max(y1 - y0, 0))}};
 }
 
-Block block_of(const VkRect2D& pixels) {
-  const double half_width = (pixels.extent.width - 1) / 2.0;
-  const double half_height = (pixels.extent.height - 1) / 2.0;
-  return {.x = pixels.offset.x + 0.5 + half_width,
-          .y = pixels.offset.y + 0.5 + half_height,
-          .half_width = half_width,
-          .half_height = half_height};
+// What holds all samples of these pixels: their centres, or with several samples all of the pixels.
+Block block_of(const VkRect2D& pixels, bool centres) {
+  const double margin = centres ? 0.5 : 0;
+  return {.x = pixels.offset.x + pixels.extent.width / 2.0,
+          .y = pixels.offset.y + pixels.extent.height / 2.0,
+          .half_width = pixels.extent.width / 2.0 - margin,
+          .half_height = pixels.extent.height / 2.0 - margin};
 }
 
 }  // namespace
 
 Expectation::Expectation(const Case& test_case, uint32_t subpixel_bits) {
-  sole_.assign(size_t{test_case.target.width} * test_case.target.height, kNothing);
+  const size_t samples = sample_locations(test_case.target.samples).size();
+  sole_.assign(size_t{test_case.target.width} * test_case.target.height * samples, kNothing);
   uint32_t first_primitive = 0;
   for (uint32_t draw = 0; draw < test_case.draws.size(); ++draw) {
     add_draw(test_case, draw, first_primitive, subpixel_bits);
@@ -71,13 +74,20 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
   const Latitude latitude = latitude_of(draw.state.viewport, subpixel_bits);
   const double snap = std::ldexp(1.0, -static_cast<int>(subpixel_bits));
   uint32_t owner = first_primitive;
+  if (draw.topology < VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST) {
+    for (Piece& piece : line_and_point_pieces(draw, draw_number, first_primitive, latitude)) {
+      add_piece(test_case, std::move(piece));
+    }
+    return;
+  }
   for (const AssembledTriangle& assembled : assemble(draw)) {
-    const std::array<ClipPosition, 3> positions{draw.positions[assembled.vertices[0]],
-                                                draw.positions[assembled.vertices[1]],
-                                                draw.positions[assembled.vertices[2]]};
-    auto triangle = std::make_unique<Triangle>(positions, draw.state.viewport);
+    const uint32_t number = owner++;
+    const CullDistances distances = cull_distances_of(draw, assembled.vertices);
+    if (distances == CullDistances::kDrop) continue;
+    auto triangle = std::make_unique<Triangle>(triangle_of(draw, assembled.vertices));
     Piece piece;
-    piece.owner = owner++;
+    piece.owner = number;
+    piece.open = distances == CullDistances::kEither;
     piece.draw = draw_number;
     piece.vertices = assembled.vertices;
     piece.provoking = assembled.vertices[assembled.provoking];
@@ -87,7 +97,11 @@ void Expectation::add_draw(const Case& test_case, uint32_t draw_number, uint32_t
     piece.facing_in_doubt = triangle->orientation_in_doubt(latitude);
     piece.thin = triangle->thinner_than(snap);
     piece.shape = std::move(triangle);
-    add_piece(test_case, std::move(piece));
+    if (draw.state.polygon_mode == VK_POLYGON_MODE_FILL) {
+      add_piece(test_case, std::move(piece));
+      continue;
+    }
+    for (Piece& part : outline_of(draw, piece)) add_piece(test_case, std::move(part));
   }
 }
 
@@ -100,7 +114,6 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
   // Culled whichever way it faces, or certainly facing the culled way.
   if (is_culled && (!piece.facing_in_doubt || culled(state, !piece.front_facing))) return;
   const VkRect2D pixels = pixels_of(piece, state, test_case.target);
-  const uint32_t width = test_case.target.width;
   const auto right = pixels.offset.x + static_cast<int32_t>(pixels.extent.width);
   const auto bottom = pixels.offset.y + static_cast<int32_t>(pixels.extent.height);
   const auto for_each_block = [&](const auto& visit) {
@@ -109,21 +122,22 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
         const VkRect2D block{.offset = {.x = x, .y = y},
                              .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
                                         .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
-        classify_block(piece, block, width, visit);
+        classify_block(test_case, piece, block, visit);
       }
     }
   };
-  // A sample further inside than the latitude proves that rounding cannot turn the triangle over.
+  // A sample further inside than the latitude proves that rounding cannot turn a triangle over.
+  const bool is_triangle = piece.triangle() != nullptr;
   bool certain = false;
   if (!is_culled) {
     for_each_block([&](size_t sample, const Classification& classification) {
-      certain = certain || classification.coverage == Coverage::kMust;
+      certain = certain || (is_triangle && classification.coverage == Coverage::kMust);
       append(sample, classification, number);
     });
   } else {
     std::vector<Classified> open;
     for_each_block([&](size_t sample, const Classification& classification) {
-      certain = certain || classification.coverage == Coverage::kMust;
+      certain = certain || (is_triangle && classification.coverage == Coverage::kMust);
       open.push_back({.sample = sample, .classification = classification});
     });
     if (!certain) {
@@ -134,20 +148,29 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
 }
 
 template <typename Visit>
-void Expectation::classify_block(const Piece& piece, const VkRect2D& block, uint32_t width,
+void Expectation::classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block,
                                  const Visit& visit) const {
-  const BlockClassification whole = piece.shape->classify_block(block_of(block), piece.latitude);
+  const uint32_t width = test_case.target.width;
+  const std::span<const Position> locations = sample_locations(test_case.target.samples);
+  const uint32_t sample_mask = test_case.draws[piece.draw].state.sample_mask;
+  const BlockClassification whole =
+      piece.shape->classify_block(block_of(block, locations.size() == 1), piece.latitude);
   if (whole.coverage == Coverage::kMustNot) return;
   for (uint32_t row = 0; row < block.extent.height; ++row) {
     const uint32_t y = static_cast<uint32_t>(block.offset.y) + row;
     for (uint32_t column = 0; column < block.extent.width; ++column) {
       const uint32_t x = static_cast<uint32_t>(block.offset.x) + column;
-      Classification classification{.coverage = Coverage::kMust};
-      if (whole.coverage == Coverage::kMay) {
-        classification = piece.shape->classify(x + 0.5, y + 0.5, piece.latitude, whole.undecided);
-        if (classification.coverage == Coverage::kMustNot) continue;
+      for (size_t sample = 0; sample < locations.size(); ++sample) {
+        if ((sample_mask >> sample & 1U) == 0) continue;
+        Classification classification{.coverage = Coverage::kMust};
+        if (whole.coverage == Coverage::kMay) {
+          const Position& location = locations[sample];
+          classification = piece.shape->classify(x + location.x, y + location.y, piece.latitude, whole.undecided);
+          if (classification.coverage == Coverage::kMustNot) continue;
+        }
+        if (piece.open) classification = {.coverage = Coverage::kMay, .doubt = kDoubtShape};
+        visit((size_t{y} * width + x) * locations.size() + sample, classification);
       }
-      visit(size_t{y} * width + x, classification);
     }
   }
 }
@@ -186,13 +209,32 @@ void Expectation::collect(size_t sample, std::vector<Entry>& entries) const {
   for (uint32_t i = lists_[sample].first; i != kNothing; i = nodes_[i].next) entries.push_back(nodes_[i].entry);
 }
 
+Triangle triangle_of(const Draw& draw, const std::array<uint32_t, 3>& vertices) {
+  ClipVolume volume{.depth_clip = draw.state.depth_clip, .negative_one_to_one = draw.state.negative_one_to_one};
+  for (uint32_t plane = 0; plane < draw.clip_distance_count; ++plane) {
+    std::array<float, 3>& distances = volume.distances.emplace_back();
+    for (size_t i = 0; i < 3; ++i) {
+      distances[i] = draw.clip_distances[size_t{vertices[i]} * draw.clip_distance_count + plane];
+    }
+  }
+  return {{draw.positions[vertices[0]], draw.positions[vertices[1]], draw.positions[vertices[2]]},
+          draw.state.viewport,
+          std::move(volume)};
+}
+
 std::unique_ptr<PieceValues> values_of(const Case& test_case, const Piece& piece) {
   const Draw& draw = test_case.draws[piece.draw];
   const uint32_t stride = vertex_component_count(test_case.varyings);
   const auto value = [&](uint32_t vertex, uint32_t component) {
     return draw.varyings[size_t{vertex} * stride + component];
   };
-  auto values = std::make_unique<TriangleValues>(*piece.triangle(), piece.latitude);
+  const bool is_outline = piece.kind != Piece::Kind::kTriangle && piece.kind != Piece::Kind::kClipEdges;
+  if (is_outline) return outline_values(test_case, piece);
+  const Triangle& triangle = piece.kind == Piece::Kind::kTriangle
+                                 ? *piece.triangle()
+                                 : static_cast<const ClipEdges&>(*piece.shape).polygon();
+  auto values = std::make_unique<TriangleValues>(triangle, piece.latitude);
+  if (draw.state.depth_bias) values->set_depth_bias(*draw.state.depth_bias, test_case.target.depth_format);
   uint32_t component = 0;
   for (const Varying& varying : test_case.varyings) {
     if (varying.source != VaryingSource::kVertices) continue;

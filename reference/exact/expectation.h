@@ -16,7 +16,7 @@ namespace fillrule::exact {
 // What is rasterized on its own: a triangle, a line or a point, or an edge or a corner of a polygon that is drawn as
 // lines or points. The pieces of a polygon have one owner.
 struct Piece {
-  enum class Kind : uint8_t { kTriangle };
+  enum class Kind : uint8_t { kTriangle, kLine, kBresenhamLine, kPoint, kClipEdges };
 
   uint32_t owner = 0;  // the primitive, counted over all draws of the case: what the planes show
   uint32_t draw = 0;   // index into Case::draws
@@ -26,9 +26,12 @@ struct Piece {
   std::unique_ptr<const Shape> shape;
   Latitude latitude;
   bool front_facing = false;
-  bool facing_in_doubt = false;  // rounding may turn it over
-  bool culled = false;           // if rounding does not turn it over
-  bool thin = false;             // its values are undefined ground
+  bool facing_in_doubt = false;       // rounding may turn it over
+  bool culled = false;                // if rounding does not turn it over
+  bool thin = false;                  // its values are undefined ground
+  bool open = false;                  // whether it is drawn at all is left open: it must not cover anything, but may
+  bool of_polygon = false;            // an edge or a corner: in which order a polygon's are drawn is left open
+  std::array<uint32_t, 3> polygon{};  // ... and the vertices of that polygon
 
   // The shape of a triangle; null for any other kind.
   [[nodiscard]] const Triangle* triangle() const {
@@ -40,7 +43,7 @@ struct Piece {
 struct Entry {
   uint32_t piece = 0;                  // index into Expectation::pieces()
   Coverage coverage = Coverage::kMay;  // kMay or kMust
-  uint8_t doubt = 0;                   // DoubtBits
+  DoubtBits doubt = 0;
 };
 
 // What Expectation::sole() says where nothing can land, and where there is more to say than one number.
@@ -77,7 +80,7 @@ class Expectation {
   void add_draw(const Case& test_case, uint32_t draw, uint32_t first_primitive, uint32_t subpixel_bits);
   void add_piece(const Case& test_case, Piece piece);
   template <typename Visit>
-  void classify_block(const Piece& piece, const VkRect2D& block, uint32_t width, const Visit& visit) const;
+  void classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block, const Visit& visit) const;
   void append(size_t sample, const Classification& classification, uint32_t number);
   void append_node(size_t sample, const Entry& entry);
 
@@ -86,6 +89,9 @@ class Expectation {
   std::vector<Node> nodes_;
   std::vector<SampleList> lists_;  // empty until a sample has several entries
 };
+
+// A polygon with everything that it is clipped to.
+Triangle triangle_of(const Draw& draw, const std::array<uint32_t, 3>& vertices);
 
 // The exact values of a piece, which has to stay where it is. Not for pieces that are undefined or have no area.
 std::unique_ptr<PieceValues> values_of(const Case& test_case, const Piece& piece);

@@ -6,7 +6,7 @@
 namespace fillrule::exact {
 
 inline FeatureSet oracle_features() {
-  return {};
+  return FeatureSet::all();
 }
 
 }  // namespace fillrule::exact

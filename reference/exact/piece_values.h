@@ -14,6 +14,9 @@ inline constexpr double kImpreciseFactor = 64;
 struct Expected {
   double value = 0;
   double tolerance = 0;  // infinity where the value is not judged
+  // All values so far from `value` are exact answers too: what the specification leaves open, such as the constant of
+  // a depth bias. Never scaled by kImpreciseFactor.
+  double spread = 0;
 };
 
 // What a tolerance is made of: interpolating between rounded vertices, and rounding on the way.
@@ -28,8 +31,8 @@ class PieceValues {
  public:
   virtual ~PieceValues() = default;
 
-  // The depth in window space. The tolerance may be returned smaller than it is where `value` is within it anyway,
-  // which is cheaper to tell.
+  // The depth in window space: biased, neither clamped nor rounded to a format. The tolerance may be returned smaller
+  // than it is where `value` is within it anyway, which is cheaper to tell.
   [[nodiscard]] virtual Expected depth_for(float value, double x, double y) const = 0;
   // ... with all of the tolerance.
   [[nodiscard]] virtual Expected depth(double x, double y) const = 0;
@@ -38,6 +41,11 @@ class PieceValues {
   // to double once.
   [[nodiscard]] virtual double depth_error(double x, double y) const = 0;
   [[nodiscard]] virtual double exact_depth(double x, double y) const = 0;
+
+  // 1/w, what gl_FragCoord.w shows, in the same way.
+  [[nodiscard]] virtual Expected reciprocal_w(double x, double y) const = 0;
+  [[nodiscard]] virtual double reciprocal_w_error(double x, double y) const = 0;
+  [[nodiscard]] virtual double exact_reciprocal_w(double x, double y) const = 0;
 
   // The provoking vertex's value: that of a flat component.
   [[nodiscard]] virtual float provoking(uint32_t component) const = 0;

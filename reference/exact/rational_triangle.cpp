@@ -68,7 +68,9 @@ RationalForm boundary_form(const Triangle& triangle, int boundary) {
   } else {
     std::array<Rational, 3> q;
     for (size_t i = 0; i < 3; ++i) {
-      q[i] = boundary == kNear ? Rational(clip[i][2]) : Rational(clip[i][3]) - Rational(clip[i][2]);
+      const Rational z(clip[i][2]);
+      const Rational w(clip[i][3]);
+      q[i] = boundary == kFar ? w - z : triangle.volume().negative_one_to_one ? Rational(z + w) : z;
     }
     form = combination(edge, q);
   }
@@ -148,7 +150,17 @@ double exact_depth(const Triangle& triangle, double x, double y) {
   const std::array<Rational, 3> z{Rational(clip[0][2]), Rational(clip[1][2]), Rational(clip[2][2])};
   const Rational z_ndc = combination(edges(v), z).at(Rational(x), Rational(y)) / determinant(v);
   const Rational min_depth(viewport.minDepth);
-  return nearest_double(z_ndc * (Rational(viewport.maxDepth) - min_depth) + min_depth);
+  const Rational max_depth(viewport.maxDepth);
+  if (triangle.volume().negative_one_to_one) {
+    return nearest_double((z_ndc * (max_depth - min_depth) + max_depth + min_depth) / 2);
+  }
+  return nearest_double(z_ndc * (max_depth - min_depth) + min_depth);
+}
+
+double exact_reciprocal_w(const Triangle& triangle, double x, double y) {
+  const auto v = framebuffer_from_clip(triangle.vertices(), triangle.viewport());
+  const std::array<Rational, 3> ones{1, 1, 1};
+  return nearest_double(combination(edges(v), ones).at(Rational(x), Rational(y)) / determinant(v));
 }
 
 double exact_smooth(const Triangle& triangle, std::array<float, 3> q, double x, double y) {

@@ -30,7 +30,8 @@ Coverage exact_viewport_classification(const VkViewport& viewport, double x, dou
 bool exact_outside_bounds(const Triangle& triangle, double x, double y, const Latitude& latitude);
 
 // The values at (x, y), each rounded to double once. q are the vertices' values of the varying.
-double exact_depth(const Triangle& triangle, double x, double y);                                  // window space
+double exact_depth(const Triangle& triangle, double x, double y);  // window space
+double exact_reciprocal_w(const Triangle& triangle, double x, double y);
 double exact_smooth(const Triangle& triangle, std::array<float, 3> q, double x, double y);         // perspective
 double exact_noperspective(const Triangle& triangle, std::array<float, 3> q, double x, double y);  // window-linear
 

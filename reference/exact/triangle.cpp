@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
+#include <utility>
 
+#include "reference/exact/clip_position.h"
 #include "reference/exact/rational_triangle.h"
 
 namespace fillrule::exact {
 namespace {
-
-// Above this, sums and differences of coordinates leave float32.
-constexpr float kLargestCoordinate = FLT_MAX / 16;
 
 bool all_of_vertices(const std::array<ClipPosition, 3>& vertices, auto predicate) {
   return std::all_of(vertices.begin(), vertices.end(), predicate);
@@ -20,26 +19,20 @@ bool any_of_vertices(const std::array<ClipPosition, 3>& vertices, auto predicate
   return std::any_of(vertices.begin(), vertices.end(), predicate);
 }
 
-bool coordinates_leave_float32(const ClipPosition& p, const VkViewport& viewport) {
-  for (const float coordinate : p) {
-    if (!std::isfinite(coordinate) || std::abs(coordinate) > kLargestCoordinate) return true;
+// Vulkan lets denormals be flushed to zero, which moves such a triangle onto the plane, where it is drawn.
+bool on_plane_by_flushing(const std::array<double, 3>& distances) {
+  return std::ranges::all_of(distances, [](double d) { return std::abs(d) < double{FLT_MIN}; }) &&
+         std::ranges::any_of(distances, [](double d) { return d < 0; });
+}
+
+// Distances of a plane that leave float32 on the way to the cut.
+bool distances_leave_float32(const std::array<float, 3>& distances, const std::array<ClipPosition, 3>& vertices) {
+  for (size_t i = 0; i < 3; ++i) {
+    const double distance{distances[i]};
+    const double w = std::abs(double{vertices[i][3]});
+    if (!(std::abs(distance) <= double{kLargestCoordinate}) || std::abs(distance) > w * double{FLT_MAX}) return true;
   }
-  const double w = std::abs(double{p[3]});
-  if (w == 0) return p[0] == 0 && p[1] == 0 && p[2] == 0;  // the apex of the view volume projects to 0 / 0
-  if (w < double{FLT_MIN}) return true;                    // denormal: 1 / w overflows, or w is flushed to zero
-  return std::abs(double{p[0]}) * double{viewport.width} > w * double{FLT_MAX} ||
-         std::abs(double{p[1]} * double{viewport.height}) > w * double{FLT_MAX} ||
-         std::abs(double{p[2]}) > w * double{FLT_MAX};
-}
-
-// Vulkan lets denormals be flushed to zero, which moves such a triangle onto the near plane, where it is drawn.
-bool near_plane_by_flushing(const std::array<ClipPosition, 3>& vertices) {
-  return all_of_vertices(vertices, [](const ClipPosition& p) { return p[2] <= 0 && p[2] > -FLT_MIN; }) &&
-         any_of_vertices(vertices, [](const ClipPosition& p) { return p[2] < 0; });
-}
-
-bool inside_view_volume(const ClipPosition& p) {
-  return p[3] > 0 && std::abs(p[0]) <= p[3] && std::abs(p[1]) <= p[3] && p[2] >= 0 && p[2] <= p[3];
+  return on_plane_by_flushing({double{distances[0]}, double{distances[1]}, double{distances[2]}});
 }
 
 LinearForm negated(const LinearForm& form) {
@@ -78,24 +71,78 @@ double offset(double position, double centre) {
   return position - centre;
 }
 
+// The part of a convex polygon where the form, plus `reach`, is not negative.
+std::vector<Position> clipped(const std::vector<Position>& polygon, const LinearForm& form, double reach) {
+  std::vector<Position> result;
+  const auto value = [&](const Position& p) { return form.at(p.x, p.y) + reach; };
+  for (size_t i = 0; i < polygon.size(); ++i) {
+    const Position& a = polygon[i];
+    const Position& b = polygon[(i + 1) % polygon.size()];
+    const double at_a = value(a);
+    const double at_b = value(b);
+    if (at_a >= 0) result.push_back(a);
+    if ((at_a < 0) == (at_b < 0)) continue;
+    const double t = at_a / (at_a - at_b);
+    result.push_back({.x = a.x + t * (b.x - a.x), .y = a.y + t * (b.y - a.y)});
+  }
+  return result;
+}
+
 }  // namespace
 
-Triangle::Triangle(const std::array<ClipPosition, 3>& vertices, const VkViewport& viewport)
-    : vertices_(vertices), viewport_(viewport) {
+Triangle::Triangle(const std::array<ClipPosition, 3>& vertices, const VkViewport& viewport, ClipVolume volume)
+    : vertices_(vertices), viewport_(viewport), volume_(std::move(volume)) {
   undefined_ =
       any_of_vertices(vertices, [&](const ClipPosition& p) { return coordinates_leave_float32(p, viewport); }) ||
-      near_plane_by_flushing(vertices);
+      (volume_.depth_clip && on_plane_by_flushing({near_distance(0), near_distance(1), near_distance(2)})) ||
+      std::ranges::any_of(volume_.distances,
+                          [&](const auto& distances) { return distances_leave_float32(distances, vertices_); });
   centre_x_ = double{viewport.x} + double{viewport.width} / 2;
   centre_y_ = double{viewport.y} + double{viewport.height} / 2;
   centre_is_short_ = sum_is_exact(double{viewport.x}, double{viewport.width} / 2) &&
                      sum_is_exact(double{viewport.y}, double{viewport.height} / 2) && is_short(centre_x_) &&
                      is_short(centre_y_);
-  inside_volume_ = all_of_vertices(vertices, inside_view_volume);
   in_front_ = all_of_vertices(vertices, [](const ClipPosition& p) { return p[3] > 0; });
-  if (undefined_) return;
+  if (undefined_) {
+    inside_volume_ = false;
+    return;
+  }
   set_up_edges();
   set_up_planes();
+  set_up_clip_planes();
   if (in_front_) set_up_bounds();
+  inside_volume_ = in_front_ && !needs_near_ && !needs_far_ && clip_planes_.empty() &&
+                   all_of_vertices(vertices, [](const ClipPosition& p) {
+                     return std::abs(p[0]) <= p[3] && std::abs(p[1]) <= p[3];
+                   });
+}
+
+// Exact in sign; the sum rounds once.
+double Triangle::near_distance(size_t vertex) const {
+  const auto z = double{vertices_[vertex][2]};
+  return volume_.negative_one_to_one ? z + w(vertex) : z;
+}
+
+double Triangle::depth_scale() const {
+  const double range = double{viewport_.maxDepth} - double{viewport_.minDepth};
+  return volume_.negative_one_to_one ? range / 2 : range;
+}
+
+double Triangle::depth_offset() const {
+  const auto min_depth = double{viewport_.minDepth};
+  return volume_.negative_one_to_one ? (double{viewport_.maxDepth} + min_depth) / 2 : min_depth;
+}
+
+Projection Triangle::projection() const {
+  Projection projection{.centre_x = centre_x_,
+                        .centre_y = centre_y_,
+                        .width = double{viewport_.width},
+                        .height = double{viewport_.height}};
+  for (size_t i = 0; i < 3; ++i) {
+    projection.x[i] = u_[i] / w(i);
+    projection.y[i] = v_[i] / w(i);
+  }
+  return projection;
 }
 
 void Triangle::set_up_edges() {
@@ -128,18 +175,39 @@ void Triangle::set_up_edges() {
 }
 
 void Triangle::set_up_planes() {
-  needs_near_ = any_of_vertices(vertices_, [](const ClipPosition& p) { return p[2] < 0; });
-  needs_far_ = any_of_vertices(vertices_, [](const ClipPosition& p) { return p[2] > p[3]; });
-  outside_ = all_of_vertices(vertices_, [](const ClipPosition& p) { return p[2] <= -FLT_MIN; }) ||
-             all_of_vertices(vertices_, [](const ClipPosition& p) { return p[2] > p[3]; });
-  std::array<double, 3> z{};
-  std::array<double, 3> w_minus_z{};
+  if (!volume_.depth_clip) return;
+  std::array<double, 3> near{};
+  std::array<double, 3> far{};
   for (size_t i = 0; i < 3; ++i) {
-    z[i] = double{vertices_[i][2]};
-    w_minus_z[i] = w(i) - z[i];
+    near[i] = near_distance(i);
+    far[i] = w(i) - double{vertices_[i][2]};
   }
-  if (needs_near_) near_ = combination(edges_, z);
-  if (needs_far_) far_ = combination(edges_, w_minus_z);
+  const auto negative = [](double distance) { return distance < 0; };
+  needs_near_ = std::ranges::any_of(near, negative);
+  needs_far_ = std::ranges::any_of(far, negative);
+  outside_ = std::ranges::all_of(near, [](double distance) { return distance <= -double{FLT_MIN}; }) ||
+             std::ranges::all_of(far, negative);
+  if (needs_near_) near_ = combination(edges_, near);
+  if (needs_far_) far_ = combination(edges_, far);
+}
+
+void Triangle::set_up_clip_planes() {
+  for (uint32_t number = 0; number < volume_.distances.size(); ++number) {
+    const std::array<float, 3>& distances = volume_.distances[number];
+    if (std::ranges::none_of(distances, [](float distance) { return distance < 0; })) continue;
+    outside_ = outside_ || std::ranges::all_of(distances, [](float distance) { return distance <= -FLT_MIN; });
+    std::array<double, 3> d{};
+    std::array<double, 3> q{};
+    for (size_t i = 0; i < 3; ++i) {
+      d[i] = double{distances[i]};
+      q[i] = d[i] / w(i);
+    }
+    if (orientation_ == 0) continue;  // no sample has to be covered anyway
+    clip_planes_.push_back(
+        {.number = number,
+         .form = combination(edges_, d),
+         .quantity = WindowLinear(projection(), interpolant(d), q, WindowLinear::Gradient::kFromValues)});
+  }
 }
 
 void Triangle::set_up_bounds() {
@@ -189,6 +257,20 @@ Coverage Triangle::classify_against(const LinearForm& form, double dx, double dy
   return exact_classification(*this, exact_form, dx + centre_x_, dy + centre_y_, latitude);
 }
 
+// The distance's sign is found by interpolating it at the sample, or the cut's end points by interpolating along the
+// edges: either way it is judged like a value, which rounding moves by u C.
+double Triangle::clip_reach(const ClipPlane& plane, double dx, double dy, const Latitude& latitude) const {
+  return plane.form.reach(latitude.x, latitude.y) + determinant_ * kUnitRoundoff * plane.quantity.condition(dx, dy) +
+         plane.form.error_at(dx, dy);
+}
+
+Coverage Triangle::classify_against(const ClipPlane& plane, double dx, double dy, const Latitude& latitude) const {
+  const double value = plane.form.at(dx, dy);
+  const double reach = clip_reach(plane, dx, dy, latitude);
+  if (value > reach) return Coverage::kMust;
+  return value < -reach ? Coverage::kMustNot : Coverage::kMay;
+}
+
 Coverage Triangle::classify_viewport(double x, double y, const Latitude& latitude) const {
   const double dx = std::abs(offset(x, centre_x_));
   const double dy = std::abs(offset(y, centre_y_));
@@ -215,11 +297,11 @@ bool Triangle::outside_bounds(double x, double y, const Latitude& latitude) cons
   return exact_outside_bounds(*this, x, y, latitude);
 }
 
-Classification Triangle::classify(double x, double y, const Latitude& latitude, uint8_t undecided) const {
+Classification Triangle::classify(double x, double y, const Latitude& latitude, DoubtBits undecided) const {
   Classification result{.coverage = Coverage::kMust};
   const auto meet = [&result](Coverage coverage, unsigned doubt) {
     result.coverage = std::min(result.coverage, coverage);
-    if (coverage == Coverage::kMay) result.doubt = static_cast<uint8_t>(result.doubt | doubt);
+    if (coverage == Coverage::kMay) result.doubt = static_cast<DoubtBits>(result.doubt | doubt);
     return coverage != Coverage::kMustNot;
   };
   constexpr Classification kOutside;
@@ -237,6 +319,11 @@ Classification Triangle::classify(double x, double y, const Latitude& latitude, 
   const bool ask_far = needs_far_ && (undecided & kDoubtFar) != 0;
   if (ask_near && !meet(classify_against(near_, dx, dy, latitude, kNear), kDoubtNear)) return kOutside;
   if (ask_far && !meet(classify_against(far_, dx, dy, latitude, kFar), kDoubtFar)) return kOutside;
+  for (const ClipPlane& plane : clip_planes_) {
+    const unsigned boundary = unsigned{kDoubtClipPlane0} << plane.number;
+    if ((undecided & boundary) == 0) continue;
+    if (!meet(classify_against(plane, dx, dy, latitude), boundary)) return kOutside;
+  }
   if (result.coverage == Coverage::kMay && outside_bounds(x, y, latitude)) return kOutside;
   return result;
 }
@@ -282,8 +369,21 @@ BlockClassification Triangle::classify_block(const Block& block, const Latitude&
   }
   if (needs_near_ && !meet(near_, kDoubtNear)) return kOutside;
   if (needs_far_ && !meet(far_, kDoubtFar)) return kOutside;
+  for (const ClipPlane& plane : clip_planes_) {
+    // The reach is a convex function of the position: largest at a corner.
+    double reach = 0;
+    for (const double x : {dx - block.half_width, dx + block.half_width}) {
+      for (const double y : {dy - block.half_height, dy + block.half_height}) {
+        reach = std::max(reach, clip_reach(plane, x, y, latitude));
+      }
+    }
+    reach += plane.form.reach(block.half_width, block.half_height) * (1 + 0x1p-48);
+    const double value = plane.form.at(dx, dy);
+    if (value < -reach) return kOutside;
+    if (!(value > reach)) undecided |= unsigned{kDoubtClipPlane0} << plane.number;
+  }
   return {.coverage = undecided == 0 ? Coverage::kMust : Coverage::kMay,
-          .undecided = static_cast<uint8_t>(undecided)};
+          .undecided = static_cast<DoubtBits>(undecided)};
 }
 
 int Triangle::side_of(int edge_number, double dx, double dy) const {
@@ -339,6 +439,35 @@ std::array<double, 4> Triangle::bounds(const Latitude& latitude) const {
   const double grow_y = latitude.y + 0x1p-10;
   return {box[0] + centre_x_ - grow_x, box[1] + centre_y_ - grow_y, box[2] + centre_x_ + grow_x,
           box[3] + centre_y_ + grow_y};
+}
+
+std::vector<Position> Triangle::visible_part(const Latitude& latitude) const {
+  const double half_width = double{viewport_.width} / 2;
+  const double half_height = std::abs(double{viewport_.height}) / 2;
+  std::vector<Position> polygon =
+      part_in({.x = centre_x_, .y = centre_y_, .half_width = half_width, .half_height = half_height}, latitude);
+  for (Position& corner : polygon) corner = {.x = corner.x - centre_x_, .y = corner.y - centre_y_};
+  if (needs_near_) polygon = clipped(polygon, near_, near_.reach(latitude.x, latitude.y));
+  if (needs_far_) polygon = clipped(polygon, far_, far_.reach(latitude.x, latitude.y));
+  for (const ClipPlane& plane : clip_planes_) {
+    polygon = clipped(polygon, plane.form, plane.form.reach(latitude.x, latitude.y));
+  }
+  for (Position& corner : polygon) corner = {.x = corner.x + centre_x_, .y = corner.y + centre_y_};
+  return polygon;
+}
+
+std::vector<Position> Triangle::part_in(const Block& block, const Latitude& latitude) const {
+  const double left = block.x - centre_x_ - block.half_width;
+  const double top = block.y - centre_y_ - block.half_height;
+  const double right = left + 2 * block.half_width;
+  const double bottom = top + 2 * block.half_height;
+  std::vector<Position> polygon{
+      {.x = left, .y = top}, {.x = right, .y = top}, {.x = right, .y = bottom}, {.x = left, .y = bottom}};
+  if (!undefined_ && orientation_ != 0) {
+    for (const LinearForm& edge : edges_) polygon = clipped(polygon, edge, edge.reach(latitude.x, latitude.y));
+  }
+  for (Position& corner : polygon) corner = {.x = corner.x + centre_x_, .y = corner.y + centre_y_};
+  return polygon;
 }
 
 LinearForm Triangle::interpolant(std::span<const double, 3> q) const {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cfloat>
 #include <cmath>
-#include <glm/vec2.hpp>
 #include <limits>
 
 #include "reference/exact/rational_triangle.h"
@@ -11,28 +10,9 @@
 namespace fillrule::exact {
 namespace {
 
-constexpr double kUnitRoundoff = 0x1p-24;
-// In the units of README.md, section "Values": a vertex's value is rounded about twice before it is used, a
-// coordinate four times, and what depends on the gradient once where terms cancel, four times where they do not.
+// A vertex's value is rounded about twice before it is used (window_linear.cpp).
 constexpr double kValueRoundings = 2;
-constexpr double kPositionRoundings = 4;
-constexpr double kGradientRoundings = 4;
-// What is lost where a denormal is flushed to zero, which Vulkan permits: as a magnitude that rounds by as much.
-constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
-
-// Window positions, relative to the viewport's centre.
-std::array<glm::dvec2, 3> positions(const Triangle& triangle) {
-  std::array<glm::dvec2, 3> result;
-  for (size_t i = 0; i < 3; ++i) {
-    result[i] = glm::dvec2(triangle.u(i), triangle.v(i)) / triangle.w(i);
-  }
-  return result;
-}
-
-double clamp_depth(double depth) {
-  return std::clamp(depth, 0.0, 1.0);
-}
 
 }  // namespace
 
@@ -42,86 +22,32 @@ double Tolerance::total() const {
   return sum;
 }
 
-WindowLinear::WindowLinear(const Triangle& triangle, const LinearForm& form, const std::array<double, 3>& q,
-                           Gradient gradient)
-    : form_(form) {
-  const auto p = positions(triangle);
-  const double gx = std::abs(form.a);
-  const double gy = std::abs(form.b);
-  double largest_x = 0;
-  double largest_y = 0;
-  for (size_t i = 0; i < 3; ++i) {
-    largest_ = std::max(largest_, std::abs(q[i]));
-    largest_x = std::max(largest_x, std::abs(p[i].x + triangle.centre_x()));
-    largest_y = std::max(largest_y, std::abs(p[i].y + triangle.centre_y()));
-  }
-  const VkViewport& viewport = triangle.viewport();
-  constant_ = kValueRoundings * (largest_ + kFlushed) +
-              gx * (kPositionRoundings * largest_x + double{viewport.width}) +
-              gy * (kPositionRoundings * largest_y + std::abs(double{viewport.height}));
-  for (size_t o = 0; o < 3; ++o) {
-    const size_t i1 = (o + 1) % 3;
-    const size_t i2 = (o + 2) % 3;
-    const glm::dvec2 e1 = p[i1] - p[o];
-    const glm::dvec2 e2 = p[i2] - p[o];
-    const double det = std::abs(e1.x * e2.y - e2.x * e1.y);
-    const double kappa = (std::abs(e1.x * e2.y) + std::abs(e2.x * e1.y)) / det;
-    double sum_x = 0;
-    double sum_y = 0;
-    if (gradient == Gradient::kFromDifferences) {
-      const double d1 = std::abs(q[i1] - q[o]);
-      const double d2 = std::abs(q[i2] - q[o]);
-      sum_x = d1 * std::abs(e2.y) + d2 * std::abs(e1.y);
-      sum_y = d1 * std::abs(e2.x) + d2 * std::abs(e1.x);
-    } else {
-      sum_x = std::abs(q[o]) * (std::abs(e1.y) + std::abs(e2.y)) + std::abs(q[i1] * e2.y) + std::abs(q[i2] * e1.y);
-      sum_y = std::abs(q[o]) * (std::abs(e1.x) + std::abs(e2.x)) + std::abs(q[i1] * e2.x) + std::abs(q[i2] * e1.x);
-    }
-    // A lost vertex value, product or gradient, by its share of the gradient.
-    const double flushed_x = kFlushed * (1 + (2 + std::abs(e1.y) + std::abs(e2.y)) / det);
-    const double flushed_y = kFlushed * (1 + (2 + std::abs(e1.x) + std::abs(e2.x)) / det);
-    const double cancelling_x = sum_x / det + gx * kappa;
-    const double cancelling_y = sum_y / det + gy * kappa;
-    anchors_[o] = {.x = p[o].x,
-                   .y = p[o].y,
-                   .per_x = cancelling_x + std::min(kGradientRoundings * gx, cancelling_x) + flushed_x,
-                   .per_y = cancelling_y + std::min(kGradientRoundings * gy, cancelling_y) + flushed_y};
-  }
-  centre_x_ = triangle.centre_x();
-  centre_y_ = triangle.centre_y();
-}
-
-double WindowLinear::condition(double dx, double dy) const {
-  double largest = 0;
-  for (const Anchor& anchor : anchors_) {
-    largest = std::max(largest, anchor.per_x * std::abs(dx - anchor.x) + anchor.per_y * std::abs(dy - anchor.y));
-  }
-  return constant_ + largest + std::abs(form_.a * (dx + centre_x_)) + std::abs(form_.b * (dy + centre_y_));
-}
-
 TriangleValues::TriangleValues(const Triangle& triangle, const Latitude& latitude)
     : triangle_(&triangle), latitude_(latitude) {
   const auto& clip = triangle.vertices();
-  const VkViewport& viewport = triangle.viewport();
+  const Projection projection = triangle.projection();
   const std::array<double, 3> z{double{clip[0][2]}, double{clip[1][2]}, double{clip[2][2]}};
-  const double range = double{viewport.maxDepth} - double{viewport.minDepth};
+  const double scale = triangle.depth_scale();
+  const double offset = triangle.depth_offset();
   LinearForm depth = triangle.interpolant(z);
-  depth.a *= range;
-  depth.b *= range;
-  depth.c = depth.c * range + double{viewport.minDepth};
+  depth.a *= scale;
+  depth.b *= scale;
+  depth.c = depth.c * scale + offset;
+  double magnitude = 0;
   std::array<double, 3> depths{};
   std::array<double, 3> reciprocals{};
   for (size_t i = 0; i < 3; ++i) {
-    depths[i] = z[i] / triangle.w(i) * range + double{viewport.minDepth};
+    depths[i] = z[i] / triangle.w(i) * scale + offset;
+    magnitude = std::max(magnitude, std::abs(z[i] / triangle.w(i) * scale) + std::abs(offset));
     reciprocals[i] = 1 / triangle.w(i);
     std::array<double, 3> selected{};
     selected[i] = triangle.w(i);
     barycentric_[i] = triangle.interpolant(selected);
   }
-  depth_ = WindowLinear(triangle, depth, depths, WindowLinear::Gradient::kFromDifferences);
+  depth_ = WindowLinear(projection, depth, depths, WindowLinear::Gradient::kFromDifferences, magnitude);
   const std::array<double, 3> ones{1, 1, 1};
   reciprocal_w_ =
-      WindowLinear(triangle, triangle.interpolant(ones), reciprocals, WindowLinear::Gradient::kFromValues);
+      WindowLinear(projection, triangle.interpolant(ones), reciprocals, WindowLinear::Gradient::kFromValues);
 }
 
 double TriangleValues::barycentric_size(double dx, double dy) const {
@@ -139,19 +65,60 @@ double TriangleValues::least_linear(const WindowLinear& quantity) const {
   return quantity.form().reach(latitude_.x, latitude_.y) + kValueRoundings * kUnitRoundoff * quantity.largest();
 }
 
+// Rounding may move the vertices, hence the gradient: g' with g'.(e_i + D_i) = g.e_i, |g'.D_i| <= 2 R', R' =
+// t_x |g'_x| + t_y |g'_y|, so |g' - g| <= 2 R' times the rows of the inverse of (e_1, e_2), for any anchor. With k
+// the change of R' itself, R' <= R / (1 - k).
+PolygonDepth TriangleValues::polygon_depth() const {
+  const LinearForm& form = depth_.form();
+  PolygonDepth polygon{.gradient_x = std::abs(form.a), .gradient_y = std::abs(form.b)};
+  const Projection p = triangle_->projection();
+  double snapping = kUnbounded;
+  for (size_t o = 0; o < 3; ++o) {
+    const size_t i = (o + 1) % 3;
+    const size_t j = (o + 2) % 3;
+    const double e1x = p.x[i] - p.x[o];
+    const double e1y = p.y[i] - p.y[o];
+    const double e2x = p.x[j] - p.x[o];
+    const double e2y = p.y[j] - p.y[o];
+    const double det = std::abs(e1x * e2y - e2x * e1y);
+    const double per_x = 2 * (std::abs(e1y) + std::abs(e2y)) / det;
+    const double per_y = 2 * (std::abs(e1x) + std::abs(e2x)) / det;
+    const double change = latitude_.x * per_x + latitude_.y * per_y;
+    if (!(change < 0.5)) continue;
+    const double moved = form.reach(latitude_.x, latitude_.y) / (1 - change);
+    snapping = std::min(snapping, moved * (per_x + per_y));
+  }
+  polygon.gradient_tolerance = snapping + kUnitRoundoff * depth_.gradient_condition();
+  if (std::isnan(polygon.gradient_tolerance)) polygon.gradient_tolerance = kUnbounded;
+  for (const Position& corner : triangle_->visible_part(latitude_)) {
+    const double depth = depth_.at(corner.x - triangle_->centre_x(), corner.y - triangle_->centre_y());
+    polygon.least_depth = std::max(polygon.least_depth, std::abs(depth));
+  }
+  polygon.most_depth = polygon.least_depth;
+  if (!triangle_->in_front()) return polygon;
+  double of_vertices = 0;
+  for (size_t i = 0; i < 3; ++i) of_vertices = std::max(of_vertices, std::abs(depth_.at(p.x[i], p.y[i])));
+  if (triangle_->inside_volume()) polygon.least_depth = of_vertices;
+  polygon.most_depth = std::max(polygon.least_depth, of_vertices);
+  return polygon;
+}
+
+void TriangleValues::set_depth_bias(const DepthBias& bias, VkFormat format) {
+  bias_ = bias_range(bias, format, polygon_depth());
+}
+
 Expected TriangleValues::depth(double x, double y) const {
   const double dx = x - triangle_->centre_x();
   const double dy = y - triangle_->centre_y();
-  return {.value = clamp_depth(depth_.at(dx, dy)), .tolerance = linear_tolerance(depth_, dx, dy).total()};
+  const double value = depth_.at(dx, dy) + bias_.middle();
+  return {.value = value, .tolerance = depth_tolerance(x, y).total(), .spread = bias_.spread()};
 }
 
 Expected TriangleValues::depth_for(float value, double x, double y) const {
-  const double dx = x - triangle_->centre_x();
-  const double dy = y - triangle_->centre_y();
-  const double exact = clamp_depth(depth_.at(dx, dy));
+  const double exact = depth_.at(x - triangle_->centre_x(), y - triangle_->centre_y()) + bias_.middle();
   const double least = least_linear(depth_);
-  if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
-  return {.value = exact, .tolerance = linear_tolerance(depth_, dx, dy).total()};
+  if (!(std::abs(double{value} - exact) - bias_.spread() <= least)) return depth(x, y);
+  return {.value = exact, .tolerance = least, .spread = bias_.spread()};
 }
 
 TriangleValues::Component TriangleValues::component(Interpolation interpolation, const std::array<float, 3>& values,
@@ -170,7 +137,7 @@ TriangleValues::Component TriangleValues::component(Interpolation interpolation,
   }
   if (!result.judged) return result;
   result.numerator =
-      WindowLinear(*triangle_, triangle_->interpolant(weighted), q,
+      WindowLinear(triangle_->projection(), triangle_->interpolant(weighted), q,
                    smooth ? WindowLinear::Gradient::kFromValues : WindowLinear::Gradient::kFromDifferences);
   return result;
 }
@@ -217,7 +184,16 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
 }
 
 Tolerance TriangleValues::depth_tolerance(double x, double y) const {
-  return linear_tolerance(depth_, x - triangle_->centre_x(), y - triangle_->centre_y());
+  const double dx = x - triangle_->centre_x();
+  const double dy = y - triangle_->centre_y();
+  Tolerance tolerance = linear_tolerance(depth_, dx, dy);
+  // The bias, and the sum that adds it.
+  const bool biased = bias_.low != 0 || bias_.high != 0 || bias_.tolerance != 0;
+  if (biased) {
+    tolerance.rounding +=
+        bias_.tolerance + kUnitRoundoff * (std::abs(depth_.at(dx, dy) + bias_.middle()) + bias_.spread());
+  }
+  return tolerance;
 }
 
 Tolerance TriangleValues::varying_tolerance(const Component& component, double x, double y) const {
@@ -241,7 +217,21 @@ double TriangleValues::depth_error(double x, double y) const {
   // Scaling to the depth range rounds three times, to numbers of at most the terms' sum plus 1.
   const LinearForm& form = depth_.form();
   const double terms = std::abs(form.a * dx) + std::abs(form.b * dy) + std::abs(form.c) + 1;
-  return form_error(form, dx, dy) + 0x1p-51 * terms;
+  return form_error(form, dx, dy) + 0x1p-51 * (terms + std::abs(bias_.middle()));
+}
+
+double TriangleValues::reciprocal_w_error(double x, double y) const {
+  return form_error(reciprocal_w_.form(), x - triangle_->centre_x(), y - triangle_->centre_y());
+}
+
+Expected TriangleValues::reciprocal_w(double x, double y) const {
+  const double dx = x - triangle_->centre_x();
+  const double dy = y - triangle_->centre_y();
+  return {.value = reciprocal_w_.at(dx, dy), .tolerance = linear_tolerance(reciprocal_w_, dx, dy).total()};
+}
+
+double TriangleValues::exact_reciprocal_w(double x, double y) const {
+  return exact::exact_reciprocal_w(*triangle_, x, y);
 }
 
 double TriangleValues::varying_error(const Component& component, double x, double y) const {
@@ -260,7 +250,7 @@ double TriangleValues::varying_error(const Component& component, double x, doubl
 }
 
 double TriangleValues::exact_depth(double x, double y) const {
-  return clamp_depth(exact::exact_depth(*triangle_, x, y));
+  return exact::exact_depth(*triangle_, x, y) + bias_.middle();
 }
 
 double TriangleValues::exact_varying(uint32_t component, double x, double y) const {
@@ -275,7 +265,7 @@ void TriangleValues::depth_row(double x, double y, std::span<double> expected, s
   const LinearForm& form = depth_.form();
   const double tolerance = least_linear(depth_);
   for (size_t i = 0; i < expected.size(); ++i) {
-    expected[i] = clamp_depth(form.at(dx + static_cast<double>(i), dy));
+    expected[i] = form.at(dx + static_cast<double>(i), dy) + bias_.middle();
     least[i] = tolerance;
   }
 }
@@ -308,7 +298,7 @@ void TriangleValues::varying_row(const Component& component, double x, double y,
   }
 }
 
-TriangleValues::DepthRange TriangleValues::depth_range() const {
+DepthRange TriangleValues::depth_range() const {
   DepthRange range{.low = kUnbounded, .high = -kUnbounded};
   double tolerance = 0;
   // The condition is a convex function of the position: largest at a vertex. Inside, A is 1.
@@ -317,9 +307,9 @@ TriangleValues::DepthRange TriangleValues::depth_range() const {
     const double dy = triangle_->v(i) / triangle_->w(i);
     range.low = std::min(range.low, depth_.at(dx, dy));
     range.high = std::max(range.high, depth_.at(dx, dy));
-    tolerance = std::max(tolerance, linear_tolerance(depth_, dx, dy).total());
+    tolerance = std::max(tolerance, depth_tolerance(dx + triangle_->centre_x(), dy + triangle_->centre_y()).total());
   }
-  return {.low = range.low - tolerance, .high = range.high + tolerance};
+  return {.low = range.low + bias_.low - tolerance, .high = range.high + bias_.high + tolerance};
 }
 
 }  // namespace fillrule::exact

@@ -10,48 +10,23 @@
 #include <span>
 #include <vector>
 
+#include "reference/exact/depth_bias.h"
+#include "reference/exact/depth_format.h"
 #include "reference/exact/piece_values.h"
 #include "reference/exact/triangle.h"
+#include "reference/exact/window_linear.h"
 
 namespace fillrule::exact {
-
-// A quantity that is linear in the window, its values at the vertices, and the condition of computing it from them.
-class WindowLinear {
- public:
-  WindowLinear() = default;
-  // `q` are the values at the vertices (infinite where w is 0: no bound then), `form` the exact function.
-  // Whether the gradient is computed from differences to the anchor's value (z) or from the values (a/w, 1/w).
-  enum class Gradient : uint8_t { kFromDifferences, kFromValues };
-  WindowLinear(const Triangle& triangle, const LinearForm& form, const std::array<double, 3>& q, Gradient gradient);
-
-  [[nodiscard]] double at(double dx, double dy) const { return form_.at(dx, dy); }
-  [[nodiscard]] const LinearForm& form() const { return form_; }
-  [[nodiscard]] double largest() const { return largest_; }
-  // C(q, p): the magnitudes that float32 rounds on the way to q at p, the largest sum over the choices of the vertex
-  // that the plane is anchored at.
-  [[nodiscard]] double condition(double dx, double dy) const;
-
- private:
-  LinearForm form_;
-  double largest_ = 0;   // max |q_i|
-  double constant_ = 0;  // the share of C that does not depend on p
-  double centre_x_ = 0;
-  double centre_y_ = 0;
-  struct Anchor {
-    double x = 0;
-    double y = 0;
-    double per_x = 0;
-    double per_y = 0;
-  };
-  std::array<Anchor, 3> anchors_{};
-};
 
 // The values of one triangle. Not for triangles without area, nor undefined ones.
 class TriangleValues final : public PieceValues {
  public:
   TriangleValues(const Triangle& triangle, const Latitude& latitude);
 
-  // The depth in window space at the sample (x, y), clamped to [0, 1].
+  // Adds the bias to all depths.
+  void set_depth_bias(const DepthBias& bias, VkFormat format);
+  [[nodiscard]] const BiasRange& depth_bias() const { return bias_; }
+
   [[nodiscard]] Expected depth(double x, double y) const override;
   [[nodiscard]] Expected depth_for(float value, double x, double y) const override;
 
@@ -75,6 +50,9 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] double depth_error(double x, double y) const override;
   [[nodiscard]] double varying_error(const Component& component, double x, double y) const;
   [[nodiscard]] double exact_depth(double x, double y) const override;
+  [[nodiscard]] Expected reciprocal_w(double x, double y) const override;
+  [[nodiscard]] double reciprocal_w_error(double x, double y) const override;
+  [[nodiscard]] double exact_reciprocal_w(double x, double y) const override;
 
   // The components that the vertices carry, in their order, for the functions below.
   void add_component(const Component& component) { components_.push_back(component); }
@@ -93,7 +71,8 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] double exact_varying(uint32_t component, double x, double y) const override;
 
   // The same for a row of samples at (x + i, y), i from 0: exact values, and for each a tolerance that is no more
-  // than the one that varying() and depth() would give. Cheap, for the many values that are well within it.
+  // than the one that varying() and depth() would give (the spread left aside). Cheap, for the many values that are
+  // well within it.
   void depth_row(double x, double y, std::span<double> expected, std::span<double> least) const;
   // The w of the row's samples, which the rows of smooth varyings are made with.
   void w_row(double x, double y, std::span<double> w) const;
@@ -101,17 +80,14 @@ class TriangleValues final : public PieceValues {
   void varying_row(const Component& component, double x, double y, std::span<const double> w,
                    std::span<double> expected, std::span<double> least) const;
 
-  // The range of exact depths within the triangle, widened by the largest tolerance there. All w must be positive.
-  struct DepthRange {
-    double low = 0;
-    double high = 1;
-  };
+  // The range of depths within the triangle, widened by the largest tolerance there. All w must be positive.
   [[nodiscard]] DepthRange depth_range() const;
 
   [[nodiscard]] const Triangle& triangle() const { return *triangle_; }
 
  private:
   [[nodiscard]] double barycentric_size(double dx, double dy) const;
+  [[nodiscard]] PolygonDepth polygon_depth() const;
   [[nodiscard]] double form_error(const LinearForm& form, double dx, double dy) const;
   [[nodiscard]] Tolerance linear_tolerance(const WindowLinear& quantity, double dx, double dy) const;
   // A lower bound of the tolerance of a quantity that is linear in the window: A >= 1 and C >= max |q_i|.
@@ -123,6 +99,7 @@ class TriangleValues final : public PieceValues {
   WindowLinear depth_;
   WindowLinear reciprocal_w_;
   std::array<LinearForm, 3> barycentric_;  // of the window
+  BiasRange bias_;
   std::vector<Component> components_;
 };
 

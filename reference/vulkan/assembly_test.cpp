@@ -8,7 +8,6 @@
 namespace fillrule::vulkan {
 namespace {
 
-using testing::Each;
 using testing::ElementsAre;
 
 class Assembly : public OnEachDriver {};
@@ -36,7 +35,8 @@ Case strip_of_squares(uint32_t squares) {
   std::vector<ClipPosition> positions;
   std::vector<float> ids;
   for (uint32_t i = 0; i < 2 * (squares + 1); ++i) {
-    positions.push_back(at(16, 4 * static_cast<float>(i / 2), i % 2 == 0 ? 0.0F : 4.0F));
+    const uint32_t x = i / 2 * 4;
+    positions.push_back(at(16, static_cast<float>(x), i % 2 == 0 ? 0.0F : 4.0F));
     ids.push_back(static_cast<float>(i));
   }
   drawn.draws = {draw_of(drawn, positions, ids)};

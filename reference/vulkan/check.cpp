@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
 #include "reference/vulkan/pipeline_key.h"
 
@@ -150,15 +151,28 @@ Result<void> check_depth(const RasterState& state) {
   return failure(fmt::format("depth_bounds: {} to {} is not within [0, 1]", min, max));
 }
 
+Result<void> check_varyings(const std::vector<Varying>& varyings) {
+  if (varyings.size() > kMaxVaryings) {
+    return failure(fmt::format("varyings: {} are more than {}", varyings.size(), kMaxVaryings));
+  }
+  for (const auto& [source, components] :
+       {std::pair{VaryingSource::kFragCoord, 4U}, {VaryingSource::kPointCoord, 2U}}) {
+    for (const Varying& varying : varyings) {
+      if (varying.source != source || varying.components == components) continue;
+      return failure(fmt::format("varyings: the built-in of {} has {} components, not {}", varying.name, components,
+                                 varying.components));
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 Result<void> check_case(const DeviceInfo& device, const Case& drawn) {
   const FeatureSet missing = features_of(drawn).without(device.features);
   if (!missing.empty()) return failure(fmt::format("{} lacks {}", device.driver, to_string(missing)));
   if (auto checked = check_target(device, drawn.target); !checked) return checked;
-  if (drawn.varyings.size() > kMaxVaryings) {
-    return failure(fmt::format("varyings: {} are more than {}", drawn.varyings.size(), kMaxVaryings));
-  }
+  if (auto checked = check_varyings(drawn.varyings); !checked) return checked;
   const uint32_t components = vertex_component_count(drawn.varyings);
   for (const Draw& draw : drawn.draws) {
     if (auto checked = check_viewport(device, draw.state.viewport); !checked) return checked;

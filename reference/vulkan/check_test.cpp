@@ -15,7 +15,7 @@ const DeviceInfo kDevice{.driver = "small",
                          .max_target_size = 100,
                          .max_viewport_size = {100, 50},
                          .viewport_bounds = {-200.0F, 199.0F},
-                         .line_widths = {.min = 0.5F, .max = 8, .step = 0.25F},
+                         .line_widths = {.min = 0.5F, .max = 8, .step = 0.375F},
                          .point_sizes = {.min = 1, .max = 64}};
 
 Case valid_case() {
@@ -127,9 +127,10 @@ TEST(CheckCase, NamesSizesThatTheDeviceCannotDraw) {
       draw.state.line_width = width;
     });
   };
-  EXPECT_EQ(line(7.75F), "no error");
+  EXPECT_EQ(line(7.625F), "no error");
+  EXPECT_EQ(line(1), "no error");  // every device draws it, on a step or not
   EXPECT_EQ(line(300), "line_width: 300 is beyond the 0.5 to 8 of small");
-  EXPECT_EQ(line(1.375F), "line_width: 1.375 is not in small's steps of 0.25");
+  EXPECT_EQ(line(1.5F), "line_width: 1.5 is not in small's steps of 0.375");
   const auto point = [](float size, VkPrimitiveTopology topology) {
     return able_error_after([&](Case&, Draw& draw) {
       draw.topology = topology;
@@ -168,6 +169,10 @@ TEST(CheckCase, NamesWhatVerticesLack) {
               draw.cull_distances.resize(12);
             }),
             "clip_distances: 5 and 4 cull distances are together more than 8");
+  EXPECT_EQ(able_error_after([](Case& c, Draw&) {
+              c.varyings.push_back({.name = "at", .components = 3, .source = VaryingSource::kFragCoord});
+            }),
+            "varyings: the built-in of at has 4 components, not 3");
   // Built-ins have no values in the vertices.
   EXPECT_EQ(able_error_after([](Case& c, Draw&) {
               c.varyings.push_back({.name = "at", .components = 4, .source = VaryingSource::kFragCoord});

@@ -56,6 +56,11 @@ TEST(Devices, ListsLavapipeWithItsLimits) {
   EXPECT_EQ(lavapipe->subpixel_bits, 8U);
   EXPECT_EQ(lavapipe->max_target_size, 16384U);
   EXPECT_TRUE(lavapipe->has_primitive_id);
+  EXPECT_EQ(lavapipe->line_widths.max, 255.0F);
+  EXPECT_EQ(lavapipe->point_sizes.max, 255.0F);
+  EXPECT_EQ(lavapipe->point_sizes.step, 0.125F);
+  EXPECT_EQ(to_string(FeatureSet::all().without(lavapipe->features)),
+            "2 samples (samples), 8 samples (samples), 16 samples (samples), depth bounds (depth_bounds)");
 }
 
 TEST(Devices, KeepsMesaFromWritingACache) {

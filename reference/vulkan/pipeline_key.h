@@ -28,7 +28,7 @@ struct PipelineKey {
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   uint32_t sample_mask = 1;     // the bits of the samples that there are
   bool sample_shading = false;  // the fragment stage runs for each sample
-  // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm at the comparison with zero
+  // NOLINTNEXTLINE(modernize-use-nullptr,readability-implicit-bool-conversion): false alarms at the comparisons
   auto operator<=>(const PipelineKey&) const = default;
 
   [[nodiscard]] bool draws_points() const;

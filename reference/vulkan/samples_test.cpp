@@ -165,6 +165,7 @@ TEST_P(Samples, AreDrawnAmongCasesOfOneSample) {
   cases[1].target.samples = VK_SAMPLE_COUNT_1_BIT;
   cases[2].target.width = 5;
   std::vector<const Case*> pointers;
+  pointers.reserve(cases.size());
   for (const Case& drawn : cases) pointers.push_back(&drawn);
   const auto together = reference().draw(pointers);
   expect_no_messages(reference());

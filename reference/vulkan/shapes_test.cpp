@@ -8,9 +8,6 @@
 namespace fillrule::vulkan {
 namespace {
 
-using testing::ElementsAre;
-using testing::Pair;
-
 class Shapes : public OnEachDriver {};
 INSTANTIATE_TEST_SUITE_P(Drivers, Shapes, testing::ValuesIn(kDrivers));
 
@@ -103,12 +100,12 @@ TEST_P(Shapes, LinesAreRectangles) {
 }
 
 TEST_P(Shapes, BresenhamLinesLeaveOutTheLastPixel) {
-  // A slope of 1: the rectangle of the same line touches the diagonal's neighbours, Bresenham's line does not.
-  Case drawn = case_of(VK_PRIMITIVE_TOPOLOGY_LINE_LIST, {at(16, 2.5F, 2.5F), at(16, 6.5F, 6.5F)});
+  // A slope of 3/4: the rectangle of the same line has pixels (4, 3) and (8, 6), too.
+  Case drawn = case_of(VK_PRIMITIVE_TOPOLOGY_LINE_LIST, {at(16, 2.5F, 2.5625F), at(16, 10.5F, 8.5625F)});
   drawn.draws[0].state.line_mode = VK_LINE_RASTERIZATION_MODE_BRESENHAM_EXT;
   const auto planes = draw(drawn);
   if (!planes) GTEST_SKIP() << planes.error().what;
-  EXPECT_EQ(hit_pixels(*planes), (Pixels{{2, 2}, {3, 3}, {4, 4}, {5, 5}}));
+  EXPECT_EQ(hit_pixels(*planes), (Pixels{{2, 2}, {3, 3}, {4, 4}, {5, 4}, {6, 5}, {7, 6}, {8, 7}, {9, 7}}));
 }
 
 // Two triangles of a strip, with the primitive before them to count.

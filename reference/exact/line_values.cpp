@@ -1,0 +1,242 @@
+#include "reference/exact/line_values.h"
+
+#include <algorithm>
+#include <cfloat>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace fillrule::exact {
+namespace {
+
+// README.md, "Lines": roundings of a vertex's value, of a coordinate, and of t.
+constexpr double kValueRoundings = 2;
+constexpr double kPositionRoundings = 4;
+constexpr double kPlaceRoundings = 6;
+// As in value_bound.cpp: what flushing a denormal to zero loses, as a magnitude that rounds by as much.
+constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+constexpr float kAnyValue = std::numeric_limits<float>::quiet_NaN();
+
+// The one of the values between a and b that is nearest to `value`, or, for NaN, the middle of them.
+Expected nearest(float value, double a, double b, double tolerance) {
+  const double low = std::min(a, b);
+  const double high = std::max(a, b);
+  if (!std::isnan(value)) return {.value = std::clamp(double{value}, low, high), .tolerance = tolerance};
+  return {.value = low + (high - low) / 2, .tolerance = tolerance + (high - low) / 2};
+}
+
+}  // namespace
+
+LineQuantity::LineQuantity(const Segment& segment, const std::array<double, 2>& homogeneous,
+                           const std::array<double, 2>& q, WindowLinear::Gradient gradient)
+    : direction_x_(segment.direction_x()),
+      direction_y_(segment.direction_y()),
+      viewport_(segment.viewport()),
+      centre_x_(segment.centre_x()),
+      centre_y_(segment.centre_y()) {
+  // p = l_a A + l_b B for the point p of the line at `along`: l_a = (along_B - along w_B) / scale and
+  // l_b = (along w_A - along_A) / scale, along_i homogeneous too.
+  std::array<double, 2> along{};
+  for (size_t i = 0; i < 2; ++i) {
+    along[i] = segment.along(segment.u(i), segment.v(i));
+    x_[i] = segment.u(i) / segment.w(i);
+    y_[i] = segment.v(i) / segment.w(i);
+  }
+  slope_ = difference_of_products(segment.w(0), homogeneous[1], segment.w(1), homogeneous[0]) / segment.scale();
+  constant_ = difference_of_products(along[1], homogeneous[0], along[0], homogeneous[1]) / segment.scale();
+  length_ = std::hypot(x_[1] - x_[0], y_[1] - y_[0]);
+  difference_ =
+      gradient == WindowLinear::Gradient::kFromDifferences ? std::abs(q[1] - q[0]) : std::abs(q[0]) + std::abs(q[1]);
+  set_condition(q);
+  const auto& part = segment.clipped() ? segment.clipped() : segment.unbounded();
+  if (!part || part->whole) return;
+  const double largest = std::max(std::abs(homogeneous[0]), std::abs(homogeneous[1]));
+  const double largest_w = std::max(std::abs(segment.w(0)), std::abs(segment.w(1)));
+  for (const SegmentEnd& end : {part->begin, part->end}) {
+    const double rounded = (largest + std::abs(at(end.along)) * largest_w) / end.w;
+    clipper_ = std::max(clipper_, kClipperRoundings * rounded);
+  }
+}
+
+void LineQuantity::set_condition(const std::array<double, 2>& q) {
+  largest_ = std::max(std::abs(q[0]), std::abs(q[1]));
+}
+
+LineQuantity LineQuantity::scaled(double factor, double summand, const std::array<double, 2>& q) const {
+  LineQuantity result = *this;
+  result.slope_ *= factor;
+  result.constant_ = constant_ * factor + summand;
+  result.difference_ = std::abs(q[1] - q[0]);
+  result.clipper_ *= std::abs(factor);
+  result.set_condition(q);
+  return result;
+}
+
+double LineQuantity::condition(double dx, double dy) const {
+  const double gx = std::abs(slope_ * direction_x_);
+  const double gy = std::abs(slope_ * direction_y_);
+  const double flushed = kFlushed * (1 + 2 / length_);
+  const double sum_x = difference_ / length_ * std::abs(direction_x_) + kPlaceRoundings * gx + flushed;
+  const double sum_y = difference_ / length_ * std::abs(direction_y_) + kPlaceRoundings * gy + flushed;
+  double largest_x = 0;
+  double largest_y = 0;
+  double from_end = 0;
+  for (size_t i = 0; i < 2; ++i) {
+    largest_x = std::max(largest_x, std::abs(x_[i] + centre_x_));
+    largest_y = std::max(largest_y, std::abs(y_[i] + centre_y_));
+    from_end = std::max(from_end, sum_x * std::abs(dx - x_[i]) + sum_y * std::abs(dy - y_[i]));
+  }
+  return kValueRoundings * (largest_ + kFlushed) + clipper_ +
+         gx * (kPositionRoundings * largest_x + double{viewport_.width} + std::abs(dx + centre_x_)) +
+         gy * (kPositionRoundings * largest_y + std::abs(double{viewport_.height}) + std::abs(dy + centre_y_)) +
+         from_end;
+}
+
+LineValues::LineValues(const Segment& segment, const Latitude& latitude, Rule rule)
+    : segment_(segment), rule_(rule), moves_(segment.moves(latitude)) {
+  const auto& clip = segment.vertices();
+  const VkViewport& viewport = segment.viewport();
+  using Gradient = WindowLinear::Gradient;
+  const double range = double{viewport.maxDepth} - double{viewport.minDepth};
+  const double min_depth{viewport.minDepth};
+  const std::array<double, 2> z{double{clip[0][2]}, double{clip[1][2]}};
+  const std::array<double, 2> z_ndc{z[0] / segment.w(0), z[1] / segment.w(1)};
+  const double scale = segment.negative_one_to_one() ? range / 2 : range;
+  const double zero = segment.negative_one_to_one() ? min_depth + range / 2 : min_depth;
+  depth_ = LineQuantity(segment, z, z_ndc, Gradient::kFromDifferences)
+               .scaled(scale, zero, {z_ndc[0] * scale + zero, z_ndc[1] * scale + zero});
+  reciprocal_w_ = LineQuantity(segment, {1, 1}, {1 / segment.w(0), 1 / segment.w(1)}, Gradient::kFromValues);
+  share_[0] = LineQuantity(segment, {segment.w(0), 0}, {1, 0}, Gradient::kFromDifferences);
+  share_[1] = LineQuantity(segment, {0, segment.w(1)}, {0, 1}, Gradient::kFromDifferences);
+}
+
+void LineValues::add_component(Interpolation interpolation, const std::array<float, 2>& values, float provoking) {
+  Component result{.interpolation = interpolation, .provoking = provoking};
+  const bool smooth = interpolation == Interpolation::kSmooth;
+  std::array<double, 2> homogeneous{};
+  std::array<double, 2> q{};
+  for (size_t i = 0; i < 2; ++i) {
+    const double w = segment_.w(i);
+    const double value{values[i]};
+    q[i] = smooth ? value / w : value;
+    homogeneous[i] = smooth ? value : value * w;
+    if (!std::isfinite(value) || std::abs(q[i]) > double{FLT_MAX} / 16) result.judged = false;
+  }
+  if (result.judged) {
+    using Gradient = WindowLinear::Gradient;
+    result.numerator =
+        LineQuantity(segment_, homogeneous, q, smooth ? Gradient::kFromValues : Gradient::kFromDifferences);
+  }
+  components_.push_back(result);
+}
+
+Interval LineValues::places(double dx, double dy) const {
+  const double projected = segment_.along(dx, dy);
+  if (rule_ == Rule::kProjected) return {.low = projected, .high = projected};
+  const double x = segment_.direction_x();
+  const double y = segment_.direction_y();
+  const double distance = segment_.distance(dx, dy);
+  // Rounding the ends may make a line at nearly 45 degrees x-major or y-major.
+  const double lean = std::abs(x) - std::abs(y);
+  const double turn = moves_.any_direction ? 1 : std::numbers::sqrt2 * moves_.turn;
+  const bool may_be_x_major = lean >= -turn;
+  const bool may_be_y_major = lean <= turn;
+  // The fragment that a wide line's others follow is within a pixel and a half of the line along the minor axis.
+  const double others = rule_ == Rule::kWideBresenham ? 1.5 * std::min(std::abs(x), std::abs(y)) : 0;
+  Interval interval{.low = projected, .high = projected};
+  // From the sample along the minor axis to the line.
+  const auto add = [&](double by_major) {
+    interval.low = std::min(interval.low, by_major - others);
+    interval.high = std::max(interval.high, by_major + others);
+  };
+  if (may_be_x_major) add(projected - distance * y / x);
+  if (may_be_y_major) add(projected + distance * x / y);
+  return interval;
+}
+
+// How far rounding the ends moves the sample's place along the line.
+double LineValues::moved(double along, double dx, double dy) const {
+  const double shares = std::abs(share_[0].at(along)) + std::abs(share_[1].at(along));
+  return shares * (moves_.along + moves_.slop) + std::abs(segment_.distance(dx, dy)) * moves_.turn;
+}
+
+LineValues::Judgement LineValues::linear(const LineQuantity& quantity, float value, double x, double y) const {
+  const double dx = x - segment_.centre_x();
+  const double dy = y - segment_.centre_y();
+  const Interval along = places(dx, dy);
+  const double shift = std::max(moved(along.low, dx, dy), moved(along.high, dx, dy));
+  const Tolerance tolerance{.snapping = std::abs(quantity.slope()) * shift,
+                            .rounding = kUnitRoundoff * quantity.condition(dx, dy)};
+  return {.expected = nearest(value, quantity.at(along.low), quantity.at(along.high), tolerance.total()),
+          .tolerance = tolerance};
+}
+
+LineValues::Judgement LineValues::smooth(const LineQuantity& numerator, float value, double x, double y) const {
+  const double dx = x - segment_.centre_x();
+  const double dy = y - segment_.centre_y();
+  const Interval along = places(dx, dy);
+  const auto at = [&](double place) { return numerator.at(place) / reciprocal_w_.at(place); };
+  Tolerance tolerance;
+  for (const double place : {along.low, along.high}) {
+    const double shift = moved(place, dx, dy);
+    for (const double there : {place - shift, place + shift}) {
+      const bool in_front = reciprocal_w_.at(there) > 0;
+      tolerance.snapping = std::max(tolerance.snapping, in_front ? std::abs(at(there) - at(place)) : kInfinity);
+    }
+    const double rounded = numerator.condition(dx, dy) + std::abs(at(place)) * reciprocal_w_.condition(dx, dy);
+    tolerance.rounding = std::max(tolerance.rounding, kUnitRoundoff * rounded / std::abs(reciprocal_w_.at(place)));
+  }
+  return {.expected = nearest(value, at(along.low), at(along.high), tolerance.total()), .tolerance = tolerance};
+}
+
+LineValues::Judgement LineValues::varying(uint32_t number, float value, double x, double y) const {
+  const Component& component = components_[number];
+  if (!component.judged) {
+    return {.expected = {.value = std::numeric_limits<double>::quiet_NaN(), .tolerance = kInfinity},
+            .tolerance = {.snapping = kInfinity, .rounding = kInfinity}};
+  }
+  const bool is_smooth = component.interpolation == Interpolation::kSmooth;
+  return is_smooth ? smooth(component.numerator, value, x, y) : linear(component.numerator, value, x, y);
+}
+
+Expected LineValues::depth_for(float value, double x, double y) const {
+  const auto unbiased = static_cast<float>(double{value} - bias_.middle());
+  Expected expected = linear(depth_, unbiased, x, y).expected;
+  expected.value += bias_.middle();
+  // The bias, and what adding it rounds.
+  expected.tolerance += bias_.tolerance + kUnitRoundoff * (std::abs(expected.value) + std::abs(bias_.middle()));
+  expected.spread = bias_.spread();
+  return expected;
+}
+
+Expected LineValues::depth(double x, double y) const {
+  return depth_for(kAnyValue, x, y);
+}
+
+Expected LineValues::reciprocal_w(double x, double y) const {
+  return linear(reciprocal_w_, kAnyValue, x, y).expected;
+}
+
+Tolerance LineValues::depth_tolerance(double x, double y) const {
+  return linear(depth_, kAnyValue, x, y).tolerance;
+}
+
+Expected LineValues::varying_for(uint32_t component, float value, double x, double y) const {
+  return varying(component, value, x, y).expected;
+}
+
+Tolerance LineValues::varying_tolerance(uint32_t component, double x, double y) const {
+  return varying(component, kAnyValue, x, y).tolerance;
+}
+
+double LineValues::varying_error(uint32_t component, double x, double y) const {
+  return kDoubleError * varying(component, kAnyValue, x, y).expected.tolerance;
+}
+
+double LineValues::exact_varying(uint32_t component, double x, double y) const {
+  return varying(component, kAnyValue, x, y).expected.value;
+}
+
+}  // namespace fillrule::exact

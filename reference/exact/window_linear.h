@@ -1,0 +1,57 @@
+// A quantity that is linear in the window, and how much float32 loses on the way to it (README.md, "Values").
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "reference/exact/linear_form.h"
+
+namespace fillrule::exact {
+
+inline constexpr double kUnitRoundoff = 0x1p-24;
+
+// Where a triangle's vertices are in the window, pixels from the viewport's centre. Infinite where w is 0.
+struct Projection {
+  std::array<double, 3> x{};
+  std::array<double, 3> y{};
+  double centre_x = 0;
+  double centre_y = 0;
+  double width = 0;  // of the viewport
+  double height = 0;
+};
+
+class WindowLinear {
+ public:
+  WindowLinear() = default;
+  // Whether the gradient is computed from differences to the anchor's value (z) or from the values (a/w, 1/w).
+  enum class Gradient : uint8_t { kFromDifferences, kFromValues };
+  // `form` is the exact function, `q` are the values at the vertices (infinite where w is 0: no bound then).
+  // `magnitude` is what rounds on the way to them, where that is larger than they are.
+  WindowLinear(const Projection& projection, const LinearForm& form, const std::array<double, 3>& q,
+               Gradient gradient, double magnitude = 0);
+
+  [[nodiscard]] double at(double dx, double dy) const { return form_.at(dx, dy); }
+  [[nodiscard]] const LinearForm& form() const { return form_; }
+  [[nodiscard]] double largest() const { return largest_; }
+  // C(q, p): the magnitudes that float32 rounds on the way to q at p, the largest sum over the choices of the vertex
+  // that the plane is anchored at. A convex function of the position.
+  [[nodiscard]] double condition(double dx, double dy) const;
+  // How much the gradient's computation rounds, in units of kUnitRoundoff: the sum of both coordinates' shares.
+  [[nodiscard]] double gradient_condition() const;
+
+ private:
+  LinearForm form_;
+  double largest_ = 0;   // max |q_i|, or the magnitude
+  double constant_ = 0;  // the share of C that does not depend on p
+  double centre_x_ = 0;
+  double centre_y_ = 0;
+  struct Anchor {
+    double x = 0;
+    double y = 0;
+    double per_x = 0;
+    double per_y = 0;
+  };
+  std::array<Anchor, 3> anchors_{};
+};
+
+}  // namespace fillrule::exact
