@@ -177,7 +177,9 @@ TEST(Metamorphic, ScalingIsNotAskedWhereFragCoordIsRead) {
   const Planes nothing = Planes::cleared(32, 32, 1, component_count(test_case.varyings), 1);
   const auto draw = [&](const Case&, uint32_t) { return Result<Planes>(nothing); };
   for (const CheckResult& check : metamorphic_checks(test_case, {.draw = draw}, nothing)) {
-    if (check.name == "scaled_clip_space") EXPECT_EQ(check.outcome, Outcome::kDoesNotFit);
+    if (check.name == "scaled_clip_space") {
+      EXPECT_EQ(check.outcome, Outcome::kDoesNotFit);
+    }
   }
 }
 
