@@ -16,7 +16,7 @@ using fillrule::Case;
 // Vulkan starts with the first test, so that listing the tests needs no device.
 fillrule::Result<fillrule::run::SuiteRunner>& shared_runner() {
   static fillrule::Result<fillrule::run::SuiteRunner> runner = fillrule::run::SuiteRunner::create(
-      {.profile = {.top_left = true, .precise = true, .same_bits = true}, .validation = true});
+      {.profile = {.top_left = true, .diamond_exit = true, .precise = true, .same_bits = true}, .validation = true});
   return runner;
 }
 
