@@ -171,6 +171,38 @@ TEST(Metamorphic, ACandidateThatCannotDrawAVariantFails) {
   expect_failed(results, "second_run");
 }
 
+TEST(Metamorphic, ScalingIsNotAskedWhereFragCoordIsRead) {
+  Case test_case = layered();
+  test_case.varyings.push_back({.name = "coord", .components = 4, .source = VaryingSource::kFragCoord});
+  const Planes nothing = Planes::cleared(32, 32, 1, component_count(test_case.varyings), 1);
+  const auto draw = [&](const Case&, uint32_t) { return Result<Planes>(nothing); };
+  for (const CheckResult& check : metamorphic_checks(test_case, {.draw = draw}, nothing)) {
+    if (check.name == "scaled_clip_space") {
+      EXPECT_EQ(check.outcome, Outcome::kDoesNotFit);
+    }
+  }
+}
+
+TEST(Variants, AListHasAllThatItsVerticesHad) {
+  Case test_case{.varyings = {{.name = "coord", .components = 4, .source = VaryingSource::kFragCoord},
+                              {.name = "flat", .interpolation = Interpolation::kFlat},
+                              {.name = "smooth", .components = 2}}};
+  test_case.draws.push_back({.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST,
+                             .positions = {at(0, 0, 0), at(1, 0, 0), at(0, 1, 0)},
+                             .varyings = {10, 1, 2, 11, 3, 4, 12, 5, 6},
+                             .clip_distance_count = 2,
+                             .cull_distance_count = 1,
+                             .clip_distances = {0, 1, 2, 3, 4, 5},
+                             .cull_distances = {6, 7, 8}});
+  const Case variant = as_triangle_list(test_case, {1, 2, 0});
+  const Draw& list = variant.draws.at(0);
+  EXPECT_EQ(list.varyings, (std::vector<float>{10, 3, 4, 10, 5, 6, 10, 1, 2}));
+  EXPECT_EQ(list.clip_distance_count, 2U);
+  EXPECT_EQ(list.clip_distances, (std::vector<float>{2, 3, 4, 5, 0, 1}));
+  EXPECT_EQ(list.cull_distance_count, 1U);
+  EXPECT_EQ(list.cull_distances, (std::vector<float>{7, 8, 6}));
+}
+
 TEST(Variants, ScalingIsLeftAloneWhereItWouldRound) {
   Case tiny = layered();
   tiny.draws[0].positions[0][0] = 1e-40F;
