@@ -33,7 +33,12 @@ class ConformanceTest : public testing::Test {
         {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict});
     const auto again = runner->draw(case_);
     ASSERT_TRUE(again) << to_string(again.error());
-    EXPECT_EQ(fillrule::judge::differing_bytes(*drawing->reference, *again->reference), "") << "the reference, twice";
+    // A case that the device cannot draw has been held against the oracle alone.
+    ASSERT_EQ(drawing->reference.has_value(), again->reference.has_value());
+    if (drawing->reference) {
+      EXPECT_EQ(fillrule::judge::differing_bytes(*drawing->reference, *again->reference), "")
+          << "the reference, twice";
+    }
     EXPECT_TRUE(runner->validation_messages().empty()) << runner->validation_messages().back();
   }
 
