@@ -19,15 +19,23 @@ constexpr double kNearPixels = 1;
 
 // What is asked again and again for parties of the same subpixel bits.
 struct Oracle {
+  uint32_t subpixel_bits;
   exact::Expectation expectation;
   judge::ValueCache values;
   judge::Replay replay;
 
-  Oracle(const Case& test_case, uint32_t subpixel_bits, judge::Replay::Rules rules)
-      : expectation(test_case, subpixel_bits),
+  Oracle(const Case& test_case, uint32_t bits, judge::Replay::Rules rules)
+      : subpixel_bits(bits),
+        expectation(test_case, bits),
         values(test_case, expectation),
-        replay(test_case, expectation, values, subpixel_bits, rules) {}
+        replay(test_case, expectation, values, bits, rules) {}
 };
+
+// Whether the sample is so far outside of the piece's bounds that it cannot matter.
+bool is_far(const exact::Piece& piece, double x, double y) {
+  const auto [left, top, right, bottom] = piece.shape->bounds(piece.latitude);
+  return x < left - kNearPixels || y < top - kNearPixels || x > right + kNearPixels || y > bottom + kNearPixels;
+}
 
 // In units of the last place of the float32 next to `exact`.
 double error_in_ulps(float value, double exact) {
@@ -38,26 +46,27 @@ double error_in_ulps(float value, double exact) {
   return std::abs(double{value} - exact) / ulp;
 }
 
-class Explainer {
+}  // namespace
+
+class CaseExplainer::State {
  public:
-  Explainer(const Case& test_case, const judge::Profile& profile, const SampleId& sample)
-      : case_(test_case), profile_(profile) {
-    result_.case_name = test_case.name;
-    result_.x = sample.x;
-    result_.y = sample.y;
-    result_.sample = sample.sample;
-    result_.position = {sample.x + 0.5, sample.y + 0.5};
-    index_ = size_t{sample.y} * test_case.target.width + sample.x;
+  State(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
+        const judge::Profile& profile, const judge::CaseVerdict& verdict)
+      : case_(test_case), profile_(profile), verdict_(verdict) {
+    sides_.push_back({.role = "candidate", .named = candidate});
+    if (reference != nullptr) sides_.push_back({.role = "reference", .named = *reference});
   }
 
-  Explanation run(const NamedParty& candidate, const NamedParty* reference) {
-    add_party("candidate", candidate);
-    if (reference != nullptr) add_party("reference", *reference);
-    for (size_t view = 0; view < oracles_.size(); ++view) add_primitives(view);
-    const judge::CaseVerdict verdict =
-        judge::judge(case_, candidate.party, reference != nullptr ? &reference->party : nullptr,
-                     {.profile = profile_, .keep_maps = true});
-    for (const judge::PlaneVerdict& plane : verdict.planes) {
+  Explanation at(const SampleId& sample) {
+    result_ = {.case_name = case_.name,
+               .x = sample.x,
+               .y = sample.y,
+               .sample = sample.sample,
+               .position = {sample.x + 0.5, sample.y + 0.5}};
+    index_ = size_t{sample.y} * case_.target.width + sample.x;
+    for (Side& side : sides_) add_party(side);
+    for (size_t view = 0; view < result_.views.size(); ++view) add_primitives(view);
+    for (const judge::PlaneVerdict& plane : verdict_.planes) {
       result_.planes.push_back({.name = plane.name, .kind = plane.kind, .verdict = plane.map[index_]});
     }
     result_.reason = reason_of(result_);
@@ -65,23 +74,38 @@ class Explainer {
   }
 
  private:
-  // The view for so many subpixel bits, made on first need.
-  size_t view_for(uint32_t subpixel_bits) {
-    for (size_t i = 0; i < result_.views.size(); ++i) {
-      if (result_.views[i].subpixel_bits == subpixel_bits) return i;
+  struct Side {
+    const char* role;
+    NamedParty named;
+    std::unique_ptr<judge::PartyJudge> judge;  // made on first need
+  };
+
+  // The oracle for so many subpixel bits, made on first need.
+  Oracle& oracle_for(uint32_t subpixel_bits) {
+    for (const auto& oracle : oracles_) {
+      if (oracle->subpixel_bits == subpixel_bits) return *oracle;
     }
     // The profile binds the candidate alone, which comes first.
     judge::Replay::Rules rules;
     if (oracles_.empty()) rules = {.top_left = profile_.top_left, .diamond_exit = profile_.diamond_exit};
     oracles_.push_back(std::make_unique<Oracle>(case_, subpixel_bits, rules));
-    result_.views.push_back(
-        {.subpixel_bits = subpixel_bits, .primitives = {}, .possible = oracles_.back()->replay.at(index_)});
-    return oracles_.size() - 1;
+    return *oracles_.back();
   }
 
-  void add_party(const std::string& role, const NamedParty& named) {
+  // Views are in the order of the oracles.
+  size_t view_for(uint32_t subpixel_bits) {
+    for (size_t i = 0; i < result_.views.size(); ++i) {
+      if (result_.views[i].subpixel_bits == subpixel_bits) return i;
+    }
+    Oracle& oracle = oracle_for(subpixel_bits);
+    result_.views.push_back({.subpixel_bits = subpixel_bits, .primitives = {}, .possible = oracle.replay.at(index_)});
+    return result_.views.size() - 1;
+  }
+
+  void add_party(Side& side) {
+    const NamedParty& named = side.named;
     const Planes& planes = *named.party.planes;
-    PartyFacts facts{.role = role,
+    PartyFacts facts{.role = side.role,
                      .name = named.name,
                      .view = view_for(named.party.subpixel_bits),
                      .hits = planes.hits[index_],
@@ -89,7 +113,10 @@ class Explainer {
                      .front_facing = planes.front_facing[index_] != 0};
     Oracle& oracle = *oracles_[facts.view];
     const judge::Possibilities& possible = result_.views[facts.view].possible;
-    const judge::PartyJudge judged(case_, planes, oracle.expectation, oracle.values);
+    if (!side.judge) {
+      side.judge = std::make_unique<judge::PartyJudge>(case_, planes, oracle.expectation, oracle.values);
+    }
+    const judge::PartyJudge& judged = *side.judge;
     if (!planes.depth.empty()) {
       add_value(facts, "depth", planes.depth[index_], judged.depth(possible, index_), depth_tolerance(facts));
     }
@@ -149,25 +176,36 @@ class Explainer {
     for (uint32_t number = 0; number < expectation.pieces().size(); ++number) {
       // A line or a point has no edges to tell of.
       if (expectation.pieces()[number].triangle() == nullptr) continue;
+      const bool is_shown = std::ranges::any_of(result_.parties, [&](const PartyFacts& party) {
+        return party.view == index && party.owner == expectation.pieces()[number].owner;
+      });
+      if (!is_shown && is_far(expectation.pieces()[number], result_.position[0], result_.position[1])) continue;
       PrimitiveFacts facts =
           facts_of(case_, expectation, number, result_.position[0], result_.position[1], view.subpixel_bits);
       const Boundary* const deciding = facts.deciding();
       const bool is_near = facts.undefined || (deciding != nullptr && deciding->distance >= near);
-      const bool is_shown = std::ranges::any_of(result_.parties, [&](const PartyFacts& party) {
-        return party.view == index && party.owner == facts.number;
-      });
       if (is_near || is_shown) view.primitives.push_back(std::move(facts));
     }
   }
 
   const Case& case_;
   judge::Profile profile_;
+  const judge::CaseVerdict& verdict_;
+  std::vector<Side> sides_;
   size_t index_ = 0;
   std::vector<std::unique_ptr<Oracle>> oracles_;
   Explanation result_;
 };
 
-}  // namespace
+CaseExplainer::CaseExplainer(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
+                             const judge::Profile& profile, const judge::CaseVerdict& verdict)
+    : state_(std::make_unique<State>(test_case, candidate, reference, profile, verdict)) {}
+
+CaseExplainer::~CaseExplainer() = default;
+
+Explanation CaseExplainer::at(const SampleId& sample) {
+  return state_->at(sample);
+}
 
 Result<Explanation> explain(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
                             const judge::Profile& profile, const SampleId& sample) {
@@ -181,7 +219,10 @@ Result<Explanation> explain(const Case& test_case, const NamedParty& candidate, 
   if (sample.sample >= samples) {
     return failure(fmt::format("sample {} is not in a target of {} samples per pixel", sample.sample, samples));
   }
-  return Explainer(test_case, profile, sample).run(candidate, reference);
+  const judge::CaseVerdict verdict =
+      judge::judge(test_case, candidate.party, reference != nullptr ? &reference->party : nullptr,
+                   {.profile = profile, .keep_maps = true});
+  return CaseExplainer(test_case, candidate, reference, profile, verdict).at(sample);
 }
 
 }  // namespace fillrule::explain

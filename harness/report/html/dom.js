@@ -1,0 +1,27 @@
+// Elements of the page. Text from outside only ever becomes text, never markup.
+
+// h("td", {class: "x", title: "y", onclick: f}, "text", element, ...)
+export function h(tag, properties = {}, ...children) {
+  const element = document.createElement(tag);
+  for (const [name, value] of Object.entries(properties)) {
+    if (value === undefined || value === null || value === false) continue;
+    if (typeof value === "function") element.addEventListener(name.slice(2), value);
+    else if (value === true) element.setAttribute(name, "");
+    else element.setAttribute(name, value);
+  }
+  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  return element;
+}
+
+export function byId(id) {
+  return document.getElementById(id);
+}
+
+export function fill(element, ...children) {
+  element.replaceChildren(...children.flat().filter((child) => child !== null && child !== undefined));
+}
+
+// A square in a colour, with a letter in it.
+export function swatch(background, ink, letter = "") {
+  return h("span", { class: "swatch", style: `background:${background};color:${ink}`, "aria-hidden": "true" }, letter);
+}
