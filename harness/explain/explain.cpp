@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "harness/explain/internal.h"
+#include "reference/exact/samples.h"
 
 namespace fillrule::explain {
 namespace {
@@ -58,12 +59,11 @@ class CaseExplainer::State {
   }
 
   Explanation at(const SampleId& sample) {
-    result_ = {.case_name = case_.name,
-               .x = sample.x,
-               .y = sample.y,
-               .sample = sample.sample,
-               .position = {sample.x + 0.5, sample.y + 0.5}};
-    index_ = size_t{sample.y} * case_.target.width + sample.x;
+    result_ = {.case_name = case_.name, .x = sample.x, .y = sample.y, .sample = sample.sample, .position = {}};
+    const auto samples = static_cast<size_t>(case_.target.samples);
+    index_ = (size_t{sample.y} * case_.target.width + sample.x) * samples + sample.sample;
+    const exact::Position position = exact::sample_place(case_.target, index_).position;
+    result_.position = {position.x, position.y};
     for (Side& side : sides_) add_party(side);
     for (size_t view = 0; view < result_.views.size(); ++view) add_primitives(view);
     for (const judge::PlaneVerdict& plane : verdict_.planes) {

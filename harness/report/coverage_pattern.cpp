@@ -41,7 +41,7 @@ std::vector<Displacement> displacements(int64_t width, int64_t height) {
   return all;
 }
 
-// True if the party's coverage, looked up there, is right at every sample that can be looked up.
+// True if the party's owners, looked up there, are right at every sample that can be looked up.
 bool right_elsewhere(const Planes& party, const judge::CaseVerdict& verdict, const Displacement& displacement) {
   bool any = false;
   for (uint32_t y = 0; y < party.height; ++y) {
@@ -51,11 +51,11 @@ bool right_elsewhere(const Planes& party, const judge::CaseVerdict& verdict, con
       const size_t from = (static_cast<size_t>(from_y) * party.width + static_cast<size_t>(from_x)) * party.samples;
       const size_t to = (size_t{y} * party.width + x) * party.samples;
       for (size_t s = 0; s < party.samples; ++s) {
-        const bool covered = party.hits[from + s] != 0;
-        const OracleCoverage right = verdict.oracle[to + s].coverage;
-        if (right == OracleCoverage::kMust && !covered) return false;
-        if (right == OracleCoverage::kMustNot && covered) return false;
-        any = any || covered;
+        const judge::OracleAnswer& right = verdict.oracle[to + s];
+        const bool is_open = right.coverage == OracleCoverage::kMay || right.coverage == OracleCoverage::kUndefined;
+        if (is_open || !right.owner) continue;
+        if (party.owner[from + s] != *right.owner) return false;
+        any = any || *right.owner != kNoOwner;
       }
     }
   }
@@ -106,6 +106,8 @@ class Pattern {
   Pattern(const Case& test_case, const run::Drawing& drawing, bool of_reference, std::span<const SampleMark> marks,
           std::span<const explain::Explanation> explanations)
       : case_(test_case),
+        drawing_(drawing),
+        of_reference_(of_reference),
         party_(of_reference ? *drawing.reference : drawing.candidate),
         verdict_(drawing.verdict),
         marks_(marks) {
@@ -126,9 +128,7 @@ class Pattern {
     }
     if (!culled.empty()) return primitives_are(culled, "drawn though culled");
     if (missing && extra) {
-      for (const Displacement& one : displacements(party_.width, party_.height)) {
-        if (right_elsewhere(party_, verdict_, one)) return std::string(one.text);
-      }
+      if (std::string text = displacement_of(drawing_, of_reference_); !text.empty()) return text;
     }
     if (!lost.empty() && !extra) {
       return fmt::format("{}, as by culling, clipping or a limit", primitives_are(lost, "lost as a whole"));
@@ -203,6 +203,8 @@ class Pattern {
   }
 
   const Case& case_;
+  const run::Drawing& drawing_;
+  bool of_reference_;
   const Planes& party_;
   const judge::CaseVerdict& verdict_;
   std::span<const SampleMark> marks_;
@@ -214,6 +216,14 @@ class Pattern {
 std::string coverage_pattern(const Case& test_case, const run::Drawing& drawing, bool of_reference,
                              std::span<const SampleMark> marks, std::span<const explain::Explanation> explanations) {
   return Pattern(test_case, drawing, of_reference, marks, explanations).text();
+}
+
+std::string displacement_of(const run::Drawing& drawing, bool of_reference) {
+  const Planes& party = of_reference ? *drawing.reference : drawing.candidate;
+  for (const Displacement& one : displacements(party.width, party.height)) {
+    if (right_elsewhere(party, drawing.verdict, one)) return std::string(one.text);
+  }
+  return "";
 }
 
 }  // namespace fillrule::report

@@ -61,15 +61,7 @@ class Diagnoser {
       const bool is_fault = mark.kind > SampleClass::kImprecise;
       if (!is_fault || mark.reference_alone == result_.of_reference) ++result_.counts[static_cast<size_t>(mark.kind)];
     }
-    for (size_t c = static_cast<size_t>(SampleClass::kVarying); c < kSampleClassCount; ++c) {
-      // Among equals the class that others follow from.
-      if (result_.counts[c] > 0 && result_.counts[c] >= count(result_.main))
-        result_.main = static_cast<SampleClass>(c);
-    }
-    // Another owner's fragments may be more or fewer, too: it is the owner that tells what went wrong.
-    if (result_.main == SampleClass::kHits && owner_faults() > count(SampleClass::kHits) / 2) {
-      result_.main = SampleClass::kOwner;
-    }
+    result_.main = gravest();
     if (result_.main == SampleClass::kRight) return result_;
     result_.sentence = sentence();
     return result_;
@@ -78,6 +70,19 @@ class Diagnoser {
  private:
   [[nodiscard]] uint64_t count(SampleClass of) const {
     return of == SampleClass::kRight ? 0 : result_.counts[static_cast<size_t>(of)];
+  }
+
+  // The class that the others follow from: what is not there has no depth. Of missing and extra samples, of hits and
+  // owners whatever there is more of.
+  [[nodiscard]] SampleClass gravest() const {
+    using enum SampleClass;
+    if (count(kMissing) + count(kExtra) > 0) return count(kMissing) >= count(kExtra) ? kMissing : kExtra;
+    // Another owner's fragments may be more or fewer, too: it is the owner that tells what went wrong.
+    if (owner_faults() > 0 && owner_faults() >= count(kHits) / 2) return kOwner;
+    for (const SampleClass one : {kHits, kFacing, kDepth, kVarying}) {
+      if (count(one) > 0) return one;
+    }
+    return kRight;
   }
 
   [[nodiscard]] uint64_t samples_of_main() const {
@@ -104,7 +109,19 @@ class Diagnoser {
       text += fmt::format(", and {}", what(other, count(other), name));
     }
     const std::string pattern = pattern_text(varying);
-    return text + (pattern.empty() ? "." : fmt::format(": {}.", pattern));
+    return text + (pattern.empty() ? "." : fmt::format(": {}.", pattern)) + rest_text();
+  }
+
+  // The other classes of fault, those that are graver than depth left aside, as they belong to the main one.
+  [[nodiscard]] std::string rest_text() const {
+    using enum SampleClass;
+    std::string text;
+    for (const SampleClass one : {kFacing, kDepth, kVarying}) {
+      if (one == result_.main || count(one) == 0) continue;
+      text += fmt::format("{} {} at {}", text.empty() ? " Wrong besides:" : ",", name_of(one),
+                          run::counted(count(one), "sample"));
+    }
+    return text.empty() ? text : text + ".";
   }
 
   [[nodiscard]] std::string pattern_text(const PlaneVerdict* varying) const {
@@ -113,6 +130,7 @@ class Diagnoser {
       case SampleClass::kExtra:
         return coverage_pattern(case_, drawing_, result_.of_reference, marks_, explanations_);
       case SampleClass::kOwner:
+        if (std::string text = displacement_of(drawing_, result_.of_reference); !text.empty()) return text;
         return depth_tested() ? "it is the other one that the depth test lets through"
                               : "primitives are to land in the order in which they are submitted";
       case SampleClass::kHits:

@@ -5,14 +5,14 @@ export const kGround = [24, 26, 31];
 export const kNotFinite = [255, 0, 255];
 export const kInfinite = [0, 230, 230];
 
-// In the order of the judge's verdicts.
+// In the order of the judge's verdicts; in short: who is at fault.
 export const VERDICTS = [
-  { name: "identical", colour: kGround },
-  { name: "permitted", colour: [0, 90, 150] },
-  { name: "imprecise", colour: [240, 228, 66] },
-  { name: "reference fault", colour: [204, 121, 167] },
-  { name: "candidate fault", colour: [230, 97, 0] },
-  { name: "both at fault", colour: [255, 255, 255] },
+  { name: "identical", short: "identical", colour: kGround },
+  { name: "permitted", short: "permitted", colour: [0, 90, 150] },
+  { name: "imprecise", short: "imprecise", colour: [240, 228, 66] },
+  { name: "reference fault", short: "reference", colour: [204, 121, 167] },
+  { name: "candidate fault", short: "candidate", colour: [230, 97, 0] },
+  { name: "both at fault", short: "both", colour: [255, 255, 255] },
 ];
 export const kImprecise = 2;
 

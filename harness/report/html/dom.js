@@ -1,5 +1,10 @@
 // Elements of the page. Text from outside only ever becomes text, never markup.
 
+// Children that are left out by a condition.
+function isThere(child) {
+  return child !== null && child !== undefined && child !== false && child !== "";
+}
+
 // h("td", {class: "x", title: "y", onclick: f}, "text", element, ...)
 export function h(tag, properties = {}, ...children) {
   const element = document.createElement(tag);
@@ -9,7 +14,7 @@ export function h(tag, properties = {}, ...children) {
     else if (value === true) element.setAttribute(name, "");
     else element.setAttribute(name, value);
   }
-  element.append(...children.flat().filter((child) => child !== null && child !== undefined));
+  element.append(...children.flat().filter(isThere));
   return element;
 }
 
@@ -18,7 +23,7 @@ export function byId(id) {
 }
 
 export function fill(element, ...children) {
-  element.replaceChildren(...children.flat().filter((child) => child !== null && child !== undefined));
+  element.replaceChildren(...children.flat().filter(isThere));
 }
 
 // A square in a colour, with a letter in it.

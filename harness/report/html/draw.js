@@ -118,38 +118,38 @@ function drawOutlines(pen, highlighted) {
 
 function drawLocations(pen) {
   const { context, data, view } = pen;
-  const radius = Math.min(Math.max(view.zoom / 20, 1), 3);
+  const radius = Math.min(Math.max(view.zoom / 20, 0.7), 3);
+  context.fillStyle = "rgb(255 255 255 / 75%)";
+  context.strokeStyle = "rgb(0 0 0 / 75%)";
+  context.lineWidth = 1;
   pen.forEachPixel((x, y) => {
     for (const [dx, dy] of data.locations) {
       context.beginPath();
       context.arc(pen.x(x + dx), pen.y(y + dy), radius, 0, 2 * Math.PI);
-      context.fillStyle = "#fff";
+      if (view.zoom >= 16) context.stroke();
       context.fill();
-      context.lineWidth = 1;
-      context.strokeStyle = "#000";
-      context.stroke();
     }
   });
 }
 
-// Text in the cells, left out where it does not fit. Above the middle, where the sample's location is.
-function drawTexts(pen, textOf, colourOf) {
+// Text in the cells, left out where it does not fit. `middle`: where in the cell; numbers stand above the sample's location.
+function drawTexts(pen, textOf, colourOf, middle) {
   const { context } = pen;
   context.textAlign = "center";
   context.textBaseline = "middle";
   pen.forEachCell((index, x, y, width, height) => {
     const text = textOf(index);
     if (!text) return;
-    const size = Math.min(kLargestFont, (width - 3) / (text.length * 0.6), height * 0.8);
+    const size = Math.min(kLargestFont, (width - 2) / (text.length * 0.6), height * (middle < 0.5 ? 0.42 : 0.9));
     if (size < kSmallestFont) return;
     context.font = `${size}px ui-monospace, "DejaVu Sans Mono", monospace`;
     context.fillStyle = inkOn(colourOf(index));
-    context.fillText(text, x + width / 2, y + height * (height > 3 * size && text.length > 1 ? 0.25 : 0.5));
+    context.fillText(text, x + width / 2, y + height * middle);
   });
 }
 
 // Pixels that differ while none of their neighbours does.
-export function lonePixels(data) {
+function lonePixels(data) {
   const width = data.width;
   const pixels = new Set();
   for (const index of data.differing) {
@@ -207,11 +207,12 @@ export function drawPane(canvas, view, data, pane, shown, selected, highlighted)
   const pen = new Pen(canvas, view, data);
   drawPicture(pen, pane.picture);
   if (shown.grid && view.zoom >= kGridZoom) drawGrid(pen);
-  if (pane.letters || shown.numbers) drawTexts(pen, pane.textOf, pane.colourOf);
   if (shown.edges && view.zoom >= kEdgeZoom) {
+    if (!pane.letters) drawLocations(pen);
     drawOutlines(pen, highlighted);
-    drawLocations(pen);
   }
-  if (shown.rings) drawRings(pen, lonePixels(data));
+  if (pane.letters) drawTexts(pen, pane.textOf, pane.colourOf, 0.54);
+  else if (shown.numbers) drawTexts(pen, pane.textOf, pane.colourOf, data.samples === 1 ? 0.26 : 0.5);
+  if (shown.rings) drawRings(pen, (data.lonePixels ??= lonePixels(data)));
   drawSelection(pen, selected);
 }

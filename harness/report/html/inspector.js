@@ -83,7 +83,7 @@ function planesTable(app, index) {
       { class: key === app.state.plane ? "chosen" : undefined },
       h("td", {}, h("button", { class: "link", onclick: () => app.set({ plane: key }) }, key)),
       cells.map((party) => h("td", { class: "number" }, exactText(data, party, key, index))),
-      h("td", {}, swatch(css(verdict.colour), inkOn(verdict.colour)), verdict.name),
+      h("td", { title: verdict.name }, swatch(css(verdict.colour), inkOn(verdict.colour)), verdict.short),
     );
   });
   return h("table", { class: "planes" }, h("thead", {}, head), h("tbody", {}, body));

@@ -77,10 +77,7 @@ class App {
     }
     drawCaseHead(this, byId("case-head"));
     this.list.draw();
-    this.panes.build();
-    this.panes.measure();
-    if (!this.zoomIsChosen) this.view.zoom = Math.max(this.view.fit(data), kLeastOpenZoom);
-    this.centre();
+    this.relayout();
   }
 
   openNext(direction) {
@@ -91,9 +88,18 @@ class App {
 
   set(changes) {
     Object.assign(this.state, changes);
-    if (changes.view) this.state.blinked = false;
+    if (changes.view) this.relayout();
     this.draw();
     this.drawTexts();
+  }
+
+  // For another number of panes, or another case: all of the picture is in sight, unless a zoom was chosen.
+  relayout() {
+    this.state.blinked = false;
+    this.panes.build();
+    this.panes.measure();
+    if (!this.zoomIsChosen) this.view.zoom = Math.max(this.view.fit(this.data), kLeastOpenZoom);
+    this.centre();
   }
 
   selectedIndex() {
