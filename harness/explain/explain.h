@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "cases/model/case.h"
@@ -21,7 +22,7 @@ struct NamedParty {
 struct SampleId {
   uint32_t x = 0;  // pixel
   uint32_t y = 0;
-  uint32_t sample = 0;
+  std::optional<uint32_t> sample;  // none: the one with the gravest verdict, the first among equals
 };
 
 // `reference` may be null. A sample outside of the target is an error.
@@ -41,7 +42,7 @@ class CaseExplainer {
   ~CaseExplainer();
 
   // The sample is in the target.
-  Explanation at(const SampleId& sample);
+  Explanation at(const SampleId& id);
 
  private:
   class State;

@@ -93,6 +93,11 @@ std::set<uint32_t> lost_primitives(const Planes& party, const judge::CaseVerdict
   return lost;
 }
 
+bool is_culled(const PrimitiveFacts& primitive) {
+  return primitive.exclusion == explain::Exclusion::kCulledByFacing ||
+         primitive.exclusion == explain::Exclusion::kCulledByDistances;
+}
+
 // What is known of one missing or extra sample.
 struct Seen {
   SampleClass fault = SampleClass::kRight;
@@ -127,9 +132,7 @@ class Pattern {
                          primitives_are(culled, "drawn though culled"));
     }
     if (!culled.empty()) return primitives_are(culled, "drawn though culled");
-    if (missing && extra) {
-      if (std::string text = displacement_of(drawing_, of_reference_); !text.empty()) return text;
-    }
+    if (std::string text = displacement_of(drawing_, of_reference_); !text.empty()) return text;
     if (!lost.empty() && !extra) {
       return fmt::format("{}, as by culling, clipping or a limit", primitives_are(lost, "lost as a whole"));
     }
@@ -163,7 +166,7 @@ class Pattern {
     std::set<uint32_t> culled;
     for (const Seen& seen : seen_) {
       if (seen.fault != SampleClass::kExtra) continue;
-      if (seen.primitive == nullptr || !seen.primitive->culled) return {};
+      if (seen.primitive == nullptr || !is_culled(*seen.primitive)) return {};
       culled.insert(seen.primitive->number);
     }
     return culled;
@@ -176,13 +179,17 @@ class Pattern {
 
   [[nodiscard]] std::string boundary_text() const {
     if (seen_.empty()) return "";
-    if (all([](const Seen& seen) { return seen.primitive != nullptr && seen.primitive->scissored; })) {
+    if (all([](const Seen& seen) {
+          return seen.primitive != nullptr && seen.primitive->exclusion == explain::Exclusion::kScissored;
+        })) {
       return "all that were looked into lie outside of the scissor";
     }
     if (!all([](const Seen& seen) { return seen.boundary != nullptr; })) return "";
-    constexpr std::array<std::pair<Boundary::Kind, std::string_view>, 3> kPlanes{
+    constexpr std::array<std::pair<Boundary::Kind, std::string_view>, 5> kPlanes{
         {{Boundary::Kind::kNear, "the near plane"},
          {Boundary::Kind::kFar, "the far plane"},
+         {Boundary::Kind::kClipDistance, "a user clip plane"},
+         {Boundary::Kind::kScissor, "the scissor"},
          {Boundary::Kind::kViewport, "the viewport"}}};
     for (const auto& [kind, name] : kPlanes) {
       if (all([kind = kind](const Seen& seen) {

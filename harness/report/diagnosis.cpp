@@ -130,9 +130,7 @@ class Diagnoser {
       case SampleClass::kExtra:
         return coverage_pattern(case_, drawing_, result_.of_reference, marks_, explanations_);
       case SampleClass::kOwner:
-        if (std::string text = displacement_of(drawing_, result_.of_reference); !text.empty()) return text;
-        return depth_tested() ? "it is the other one that the depth test lets through"
-                              : "primitives are to land in the order in which they are submitted";
+        return owner_pattern();
       case SampleClass::kHits:
         return hits_pattern();
       case SampleClass::kDepth:
@@ -142,6 +140,24 @@ class Diagnoser {
       default:
         return "";
     }
+  }
+
+  [[nodiscard]] std::string owner_pattern() const {
+    if (std::string text = displacement_of(drawing_, result_.of_reference); !text.empty()) return text;
+    if (shows_culled_ones()) return "the primitives that it shows are culled: culling the wrong way round";
+    return depth_tested() ? "it is the other one that the depth test lets through"
+                          : "primitives are to land in the order in which they are submitted";
+  }
+
+  // At all samples that were looked into.
+  [[nodiscard]] bool shows_culled_ones() const {
+    return std::ranges::all_of(explanations_, [this](const explain::Explanation& one) {
+      if (one.parties.size() <= party()) return false;
+      const explain::PartyFacts& facts = one.parties[party()];
+      const auto& primitives = one.views[facts.view].primitives;
+      const auto shown = std::ranges::find(primitives, facts.owner, &explain::PrimitiveFacts::number);
+      return shown != primitives.end() && shown->exclusion == explain::Exclusion::kCulledByFacing;
+    });
   }
 
   [[nodiscard]] bool depth_tested() const {

@@ -40,6 +40,46 @@ std::string_view word_for(judge::Standing::Class level) {
   return "";
 }
 
+std::string_view word_for(explain::Exclusion exclusion) {
+  switch (exclusion) {
+    case explain::Exclusion::kNone:
+      return "";
+    case explain::Exclusion::kCulledByFacing:
+      return "culled as it faces";
+    case explain::Exclusion::kCulledByDistances:
+      return "culled by its cull distances";
+    case explain::Exclusion::kOutsideVolume:
+      return "outside of the clip volume";
+    case explain::Exclusion::kScissored:
+      return "outside of the scissor";
+    case explain::Exclusion::kMasked:
+      return "taken away by the sample mask";
+  }
+  return "";
+}
+
+std::string_view word_for(exact::Piece::Kind kind) {
+  switch (kind) {
+    case exact::Piece::Kind::kTriangle:
+      return "triangle";
+    case exact::Piece::Kind::kLine:
+      return "line";
+    case exact::Piece::Kind::kBresenhamLine:
+      return "Bresenham line";
+    case exact::Piece::Kind::kPoint:
+      return "point";
+    case exact::Piece::Kind::kClipEdges:
+      return "what clipping may add";
+  }
+  return "";
+}
+
+Json bresenham_json(const explain::BresenhamFacts& facts) {
+  Json json{{"x_major", facts.x_major}, {"width", facts.width}, {"distance", json_number(facts.distance)}};
+  if (facts.diamond_exit) json["diamond_exit"] = *facts.diamond_exit;
+  return json;
+}
+
 Json boundary_json(const Boundary& boundary) {
   Json json{{"name", boundary.name},
             {"form", {json_number(boundary.form[0]), json_number(boundary.form[1]), json_number(boundary.form[2])}},
@@ -71,16 +111,20 @@ Json primitive_json(const PrimitiveFacts& primitive) {
             {"vertices", primitive.vertices},
             {"orientation", primitive.orientation},
             {"front", primitive.front_facing},
+            {"kind", word_for(primitive.kind)},
             {"coverage", word_for(primitive.coverage.coverage)},
+            {"answer", word_for(primitive.answer)},
             {"barycentric", barycentric_json(primitive)},
             {"boundaries", Json::array()}};
+  if (!primitive.polygon.empty()) json["polygon"] = primitive.polygon;
   Json& notes = json["notes"] = Json::array();
   if (primitive.facing_in_doubt) notes.push_back("rounding may turn it over");
   if (primitive.undefined) notes.push_back("undefined");
   if (primitive.thin && !primitive.undefined) notes.push_back("thinner than a subpixel");
   if (primitive.clipped) notes.push_back("to be clipped");
-  if (primitive.culled) notes.push_back("culled");
-  if (primitive.scissored) notes.push_back("outside of the scissor");
+  if (primitive.open) notes.push_back("may be drawn or not");
+  if (primitive.exclusion != explain::Exclusion::kNone) notes.push_back(word_for(primitive.exclusion));
+  if (primitive.bresenham) json["bresenham"] = bresenham_json(*primitive.bresenham);
   for (const Boundary& boundary : primitive.boundaries) json["boundaries"].push_back(boundary_json(boundary));
   return json;
 }
@@ -91,8 +135,8 @@ Json view_json(const explain::View& view) {
             {"outcomes", Json::array()},
             {"primitives", Json::array()}};
   // Pieces of one primitive may give the same outcome.
-  for (const judge::Outcome& outcome : view.possible.outcomes) {
-    Json one{{"owner", owner_json(outcome.owner)}, {"depth_of", owner_json(outcome.depth_writer)}};
+  for (size_t i = 0; i < view.possible.outcomes.size(); ++i) {
+    Json one{{"owner", owner_json(view.possible.outcomes[i].owner)}, {"depth_of", owner_json(view.depth_owners[i])}};
     Json& all = json["outcomes"];
     if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(std::move(one));
   }
@@ -115,6 +159,8 @@ Json party_json(const explain::PartyFacts& party) {
       one["snapping"] = json_number(value.tolerance->snapping);
       one["rounding"] = json_number(value.tolerance->rounding);
     }
+    if (!value.left_open.empty()) one["left_open"] = value.left_open;
+    if (!value.place.empty()) one["place"] = value.place;
     json["values"][value.name] = std::move(one);
   }
   return json;

@@ -41,9 +41,10 @@ std::optional<Place> place_of(const Case& test_case, const std::string& name, co
   if (value == party.values.end() || primitive == primitives.end()) return std::nullopt;
   const auto edges =
       std::ranges::count(primitive->boundaries, explain::Boundary::Kind::kEdge, &explain::Boundary::kind);
-  if (edges != 3) return std::nullopt;
-  Place place{
-      .draw = &test_case.draws[primitive->draw], .vertices = primitive->vertices, .value = double{value->value}};
+  if (edges != 3 || primitive->kind != exact::Piece::Kind::kTriangle) return std::nullopt;
+  Place place{.draw = &test_case.draws[primitive->draw],
+              .vertices = {primitive->vertices[0], primitive->vertices[1], primitive->vertices[2]},
+              .value = double{value->value}};
   place.tolerance = std::isfinite(value->standing.tolerance) ? value->standing.tolerance : 0;
   Triple edge_values{};
   for (size_t i = 0; i < 3; ++i) edge_values[i] = primitive->boundaries[i].value;

@@ -140,7 +140,7 @@ function drawTexts(pen, textOf, colourOf, middle) {
   pen.forEachCell((index, x, y, width, height) => {
     const text = textOf(index);
     if (!text) return;
-    const size = Math.min(kLargestFont, (width - 2) / (text.length * 0.6), height * (middle < 0.5 ? 0.42 : 0.9));
+    const size = Math.min(kLargestFont, (width - (text.length > 1 ? 6 : 2)) / (text.length * 0.6), height * (middle < 0.5 ? 0.42 : 0.9));
     if (size < kSmallestFont) return;
     context.font = `${size}px ui-monospace, "DejaVu Sans Mono", monospace`;
     context.fillStyle = inkOn(colourOf(index));

@@ -30,9 +30,10 @@ function reasonOf(data, index) {
 }
 
 function toleranceText(expectation) {
-  const { tolerance, snapping, rounding } = expectation;
+  const { tolerance, snapping, rounding, leftOpen } = expectation;
   if (snapping === undefined) return doubleText(tolerance, 4);
-  return `${doubleText(tolerance, 4)} = snapping ${shortText(snapping)} + rounding ${shortText(rounding)}`;
+  const open = leftOpen ? ` + what ${leftOpen} leaves open` : "";
+  return `${doubleText(tolerance, 4)} = snapping ${shortText(snapping)} + rounding ${shortText(rounding)}${open}`;
 }
 
 function integerRows(data, key, index) {
@@ -65,6 +66,7 @@ function floatRows(data, key, index) {
       const known = !Number.isNaN(expectation.expected);
       list.push(["exact", known ? doubleText(expectation.expected) : "several answers, or none, are right"]);
       list.push(["tolerance", Number.isFinite(expectation.tolerance) ? toleranceText(expectation) : "not judged here"]);
+      if (expectation.place) list.push(["evaluated", expectation.place]);
     }
     if (Number.isNaN(expectation.expected)) continue;
     list.push([`${role}'s error`, errorText(expectation, data.valueOf(role, key, index))]);
@@ -111,13 +113,21 @@ function cornersText(data, number) {
   return h("p", {}, "Clipped: ", outline.corners.map(([x, y, maker]) => `${maker} (${shortText(x)}, ${shortText(y)})`).join(", "), ".");
 }
 
+function bresenhamText({ x_major: xMajor, width, distance, diamond_exit: exits }) {
+  const rule = exits === undefined ? "" : `; the diamond-exit rule makes ${exits ? "a" : "no"} fragment here`;
+  return `${xMajor ? "x" : "y"}-major, ${counted(width, "fragment")} wide, ${shortText(numberOf(distance))} pixels from the line${rule}.`;
+}
+
 function primitiveBlock(data, primitive) {
-  const facing = primitive.orientation === 0 ? "without area" : `${primitive.orientation > 0 ? "clockwise" : "counter-clockwise"}, ${primitive.front ? "front" : "back"}-facing`;
+  const turn = primitive.orientation > 0 ? "clockwise" : "counter-clockwise";
+  const shape = primitive.kind !== "triangle" ? primitive.kind : primitive.orientation === 0 ? "without area" : turn;
+  const facing = `${shape}, ${primitive.front ? "front" : "back"}-facing`;
   const barycentric = primitive.barycentric?.map((value) => shortText(numberOf(value))).join(", ");
   return h(
     "details",
-    { open: primitive.coverage !== "must not" },
-    h("summary", {}, `Primitive ${primitive.number}: ${primitive.coverage} cover`),
+    { open: true },
+    h("summary", {}, `Primitive ${primitive.number}: ${primitive.answer} cover`),
+    primitive.bresenham && h("p", {}, bresenhamText(primitive.bresenham)),
     h("p", {}, [`draw ${primitive.draw}, vertices ${primitive.vertices.join(" ")}`, facing, ...primitive.notes].join("; "), "."),
     barycentric && h("p", {}, `Barycentric coordinates: ${barycentric}.`),
     cornersText(data, primitive.number),
@@ -136,8 +146,8 @@ function fragmentsText(data, view, index) {
   const right = least === most ? `${least} right` : `${least} to ${most} right`;
   const landed = ["candidate", data.has_reference && "reference"].filter(Boolean).map((party) => `${party} ${data.valueOf(party, "hits", index)}`);
   const owners = view.outcomes.map((one) => ownerText(one.owner));
-  const covering = view.primitives.filter((one) => one.coverage !== "must not" && !one.notes.includes("culled"));
-  const order = covering.map((one) => `primitive ${one.number} ${one.coverage}`).join(", then ");
+  const covering = view.primitives.filter((one) => one.answer !== "must not");
+  const order = covering.map((one) => `primitive ${one.number} ${one.answer}`).join(", then ");
   return [
     h("p", {}, `Fragments that landed: ${landed.join(", ")}; ${right}, the last of them ${owners.join(" or ")}.`),
     order && h("p", {}, `In the order of submission: ${order} cover.`),

@@ -43,7 +43,9 @@ export function doubleText(value, digits = 12) {
   return tidy(value.toPrecision(digits));
 }
 
+// Three digits.
 export function shortText(value) {
+  if (Math.abs(value) >= 1e6 && Number.isFinite(value)) return value.toExponential(2).replace("e+", "e");
   return doubleText(value, 3);
 }
 

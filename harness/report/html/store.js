@@ -115,6 +115,8 @@ export class CaseData {
       severity: number("severity"),
       ulps: number("ulps"),
       level: value.level,
+      leftOpen: value.left_open,
+      place: value.place,
     };
   }
 

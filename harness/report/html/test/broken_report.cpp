@@ -93,7 +93,8 @@ int write_report(const std::string& folder, const std::string& fault, const std:
   for (const fillrule::Error& error : suite.errors) return fail(error);
   const std::vector<std::string> names = hostile_names();
   for (size_t i = 0; hostile && i < suite.cases.size(); ++i) suite.cases[i].name = names[i % names.size()];
-  const fillrule::run::RunOptions options{.reference = reference, .checks = false, .jobs = 2};
+  const fillrule::run::RunOptions options{
+      .reference = reference, .profile = {.top_left = true}, .checks = false, .jobs = 2};
   auto runner = fillrule::run::SuiteRunner::create(options, std::move(*candidate));
   if (!runner) return fail(runner.error());
   fillrule::run::RunResult result = runner->run(suite.cases);

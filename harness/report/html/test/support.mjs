@@ -67,12 +67,12 @@ export async function press(page, key) {
 export async function linkOf(page) {
   await page.waitForTimeout(150);
   const hash = new URL(page.url()).hash.slice(1);
-  return Object.fromEntries(hash.split("&").map((part) => part.split("=").map(decodeURIComponent)));
+  return Object.fromEntries(hash.split("&").map((part) => /^(.*?)=(.*)$/.exec(part).slice(1).map(decodeURIComponent)));
 }
 
-// The colours in the middle of the cells of a pane: {"x,y": [r, g, b]} of each sample in sight. Cells are as in the
-// page's help: samples in reading order.
-export async function coloursOf(page, slot, { width, height, samples }) {
+// The colours of the cells of a pane, index of the sample => [r, g, b], of those in sight; taken from the middle of the
+// cells, or `at` another part of them. Cells are as in the page's help: samples in reading order.
+export async function coloursOf(page, slot, { width, height, samples }, at = 0.5) {
   const columns = { 1: 1, 2: 2, 4: 2, 8: 4, 16: 4 }[samples];
   const rows = samples / columns;
   const read = await page.evaluate((name) => {
@@ -85,13 +85,13 @@ export async function coloursOf(page, slot, { width, height, samples }) {
   for (let index = 0; index < width * height * samples; ++index) {
     const sample = index % samples;
     const pixel = Math.floor(index / samples);
-    const x = (pixel % width) + ((sample % columns) + 0.5) / columns;
-    const y = Math.floor(pixel / width) + (Math.floor(sample / columns) + 0.5) / rows;
+    const x = (pixel % width) + ((sample % columns) + at) / columns;
+    const y = Math.floor(pixel / width) + (Math.floor(sample / columns) + at) / rows;
     const canvasX = Math.floor((x - read.left) * read.scale);
     const canvasY = Math.floor((y - read.top) * read.scale);
     if (canvasX < 0 || canvasY < 0 || canvasX >= read.width || canvasY >= read.height) continue;
-    const at = (canvasY * read.width + canvasX) * 4;
-    colours.set(index, read.data.slice(at, at + 3));
+    const offset = (canvasY * read.width + canvasX) * 4;
+    colours.set(index, read.data.slice(offset, offset + 3));
   }
   return colours;
 }
