@@ -22,5 +22,6 @@ void add_features(CLI::App& app, int& exit_code);
 void add_stress(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
+void add_faults(CLI::App& app, int& exit_code);
 
 }  // namespace fillrule::cli

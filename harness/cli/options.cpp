@@ -14,12 +14,6 @@
 namespace fillrule::cli {
 namespace {
 
-// `cases` below the current folder, or else that of the sources the command was built from.
-std::string default_root() {
-  const std::string here = "cases";
-  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
-}
-
 judge::Profile profile_of(const std::vector<std::string>& names) {
   const auto named = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -81,6 +75,11 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 
 void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
+}
+
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
 }
 
 void add_suite_options(CLI::App& command, SuiteOptions& options) {

@@ -13,6 +13,9 @@ namespace fillrule::cli {
 
 void print_error(const Error& error);
 
+// `cases` below the current folder, or else that of the sources the command was built from.
+std::string default_root();
+
 // Which cases.
 struct SuiteOptions {
   std::vector<std::string> selectors;  // cases, files, folders, globs

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string_view>
 
+#include "harness/faults/rasterizer.h"
 #include "harness/programs/varyings.h"
 #include "harness/run/reference.h"
 
@@ -14,6 +15,7 @@ namespace {
 
 constexpr std::string_view kRenderer = "renderer";
 constexpr std::string_view kScanlineRenderer = "renderer:scanline";
+constexpr std::string_view kFaults = "faults:";
 
 Candidate make_renderer(std::string_view name, renderer::Fill fill, const CandidateOptions& options) {
   const renderer::Options renderer_options{
@@ -33,6 +35,19 @@ Candidate make_renderer(std::string_view name, renderer::Fill fill, const Candid
           .features = programs::renderer_features(),
           .check = check,
           .draw = draw};
+}
+
+Result<Candidate> make_faulty(const std::string& name, const CandidateOptions& options) {
+  const Result<faults::Fault> fault = faults::fault_named(std::string_view(name).substr(kFaults.size()));
+  if (!fault) return tl::unexpected(fault.error());
+  const uint32_t bits = options.subpixel_bits;
+  return Candidate{.name = name,
+                   .subpixel_bits = bits,
+                   .features = FeatureSet::all(),
+                   .check = [](const Case&) -> Result<void> { return {}; },
+                   .draw = [fault = *fault, bits](const Case& test_case, uint32_t) -> Result<Planes> {
+                     return faults::draw_case(test_case, fault, bits);
+                   }};
 }
 
 // A device is for one thread at a time.
@@ -62,7 +77,9 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
     Error error = device.error();
     error.what = fmt::format("there is no candidate '{}': {}", name, error.what);
     error.hint =
-        "the candidates are renderer, renderer:scanline and the drivers that 'fillrule devices' lists; " + error.hint;
+        "the candidates are renderer, renderer:scanline, faults:NAME and the drivers that 'fillrule devices' "
+        "lists; " +
+        error.hint;
     return tl::unexpected(error);
   }
   const auto shared = std::make_shared<SharedDevice>(std::move(*device));
@@ -78,6 +95,7 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options) {
   if (name == kRenderer) return make_renderer(name, renderer::Fill::kEdgeFunction, options);
   if (name == kScanlineRenderer) return make_renderer(name, renderer::Fill::kScanline, options);
+  if (name.starts_with(kFaults)) return make_faulty(name, options);
   return make_driver(name, options);
 }
 

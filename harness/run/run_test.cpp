@@ -34,7 +34,7 @@ TEST(Candidate, AnUnknownNameIsAnErrorThatTellsWhatThereIs) {
   const auto candidate = make_candidate("painter", {});
   ASSERT_FALSE(candidate);
   EXPECT_EQ(candidate.error().what.find("there is no candidate 'painter': no Vulkan device of the driver"), 0U);
-  EXPECT_EQ(candidate.error().hint.find("the candidates are renderer, renderer:scanline and the drivers"), 0U);
+  EXPECT_EQ(candidate.error().hint.find("the candidates are renderer, renderer:scanline, faults:NAME and the drivers"), 0U);
   EXPECT_NE(candidate.error().hint.find("'lavapipe'"), std::string::npos);
 }
 
