@@ -103,8 +103,10 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   run::RunOptions& run = options.run;
   run.driver_files = driver_files();
   command
-      .add_option("--candidate", run.candidate,
-                  "who is judged: renderer, renderer:scanline (fills by scanlines), or a driver")
+      .add_option(
+          "--candidate", run.candidate,
+          "who is judged: renderer, renderer:scanline (fills by scanlines), faults:NAME (the naive rasterizer "
+          "with a fault, 'fillrule faults --list'; faults:none has none), cheats:NAME, or a driver")
       ->capture_default_str();
   command
       .add_option("--reference", options.references,

@@ -69,6 +69,17 @@ std::string file_of(const std::string& case_name) {
   return case_name.substr(0, case_name.find('['));
 }
 
+// The words between underscores and slashes.
+std::set<std::string> words_of(std::string_view name) {
+  std::set<std::string> words;
+  for (size_t begin = 0; begin <= name.size();) {
+    const size_t end = std::min(name.find_first_of("_/", begin), name.size());
+    words.emplace(name.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
 FaultRow row_of(std::span<const Case> cases, const std::vector<CaseFindings>& findings, const FaultEntry& entry,
                 size_t number) {
   FaultRow row{.entry = entry};
@@ -112,12 +123,8 @@ FaultTable catch_faults(std::span<const Case> cases, std::span<const FaultEntry>
 }
 
 bool is_named_after(const std::string& case_name, std::string_view fault) {
-  for (size_t begin = 0; begin <= fault.size();) {
-    const size_t end = std::min(fault.find('_', begin), fault.size());
-    if (case_name.find(fault.substr(begin, end - begin)) == std::string::npos) return false;
-    begin = end + 1;
-  }
-  return true;
+  const std::set<std::string> words = words_of(file_of(case_name));
+  return std::ranges::includes(words, words_of(fault));
 }
 
 bool is_caught(const FaultRow& row) {

@@ -37,7 +37,7 @@ inline constexpr size_t kLeastCases = 3;
 inline constexpr size_t kLeastTopics = 2;
 bool is_caught(const FaultRow& row);
 
-// Whether the case's name holds every word of the fault's.
+// Whether the name of the case's file holds every word of the fault's.
 bool is_named_after(const std::string& case_name, std::string_view fault);
 
 // Up to three catching cases to show, of different topics and files as far as there are, none named after the fault

@@ -6,6 +6,7 @@
 #include <mutex>
 #include <string_view>
 
+#include "harness/faults/cheats.h"
 #include "harness/faults/rasterizer.h"
 #include "harness/programs/varyings.h"
 #include "harness/run/reference.h"
@@ -16,6 +17,7 @@ namespace {
 constexpr std::string_view kRenderer = "renderer";
 constexpr std::string_view kScanlineRenderer = "renderer:scanline";
 constexpr std::string_view kFaults = "faults:";
+constexpr std::string_view kCheats = "cheats:";
 
 Candidate make_renderer(std::string_view name, renderer::Fill fill, const CandidateOptions& options) {
   const renderer::Options renderer_options{
@@ -37,17 +39,31 @@ Candidate make_renderer(std::string_view name, renderer::Fill fill, const Candid
           .draw = draw};
 }
 
-Result<Candidate> make_faulty(const std::string& name, const CandidateOptions& options) {
-  const Result<faults::Fault> fault = faults::fault_named(std::string_view(name).substr(kFaults.size()));
-  if (!fault) return tl::unexpected(fault.error());
+// The naive rasterizer, with a fault or a cheat: `draw(case, subpixel bits)`.
+template <typename Draw>
+Candidate make_naive(const std::string& name, const CandidateOptions& options, const Draw& draw) {
   const uint32_t bits = options.subpixel_bits;
-  return Candidate{.name = name,
-                   .subpixel_bits = bits,
-                   .features = FeatureSet::all(),
-                   .check = [](const Case&) -> Result<void> { return {}; },
-                   .draw = [fault = *fault, bits](const Case& test_case, uint32_t) -> Result<Planes> {
-                     return faults::draw_case(test_case, fault, bits);
-                   }};
+  return {.name = name,
+          .subpixel_bits = bits,
+          .features = FeatureSet::all(),
+          .check = [](const Case&) -> Result<void> { return {}; },
+          .draw = [draw, bits](const Case& test_case, uint32_t) -> Result<Planes> { return draw(test_case, bits); }};
+}
+
+Result<Candidate> make_faulty(const std::string& name, const CandidateOptions& options) {
+  return faults::fault_named(std::string_view(name).substr(kFaults.size())).map([&](faults::Fault fault) {
+    return make_naive(name, options, [fault](const Case& test_case, uint32_t bits) {
+      return faults::draw_case(test_case, fault, bits);
+    });
+  });
+}
+
+Result<Candidate> make_cheat(const std::string& name, const CandidateOptions& options) {
+  return faults::cheat_named(std::string_view(name).substr(kCheats.size())).map([&](faults::Cheat cheat) {
+    return make_naive(name, options, [cheat](const Case& test_case, uint32_t bits) {
+      return faults::draw_cheat(test_case, cheat, bits);
+    });
+  });
 }
 
 // A device is for one thread at a time.
@@ -77,7 +93,8 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
     Error error = device.error();
     error.what = fmt::format("there is no candidate '{}': {}", name, error.what);
     error.hint =
-        "the candidates are renderer, renderer:scanline, faults:NAME and the drivers that 'fillrule devices' "
+        "the candidates are renderer, renderer:scanline, faults:NAME, cheats:NAME and the drivers that 'fillrule "
+        "devices' "
         "lists; " +
         error.hint;
     return tl::unexpected(error);
@@ -96,6 +113,7 @@ Result<Candidate> make_candidate(const std::string& name, const CandidateOptions
   if (name == kRenderer) return make_renderer(name, renderer::Fill::kEdgeFunction, options);
   if (name == kScanlineRenderer) return make_renderer(name, renderer::Fill::kScanline, options);
   if (name.starts_with(kFaults)) return make_faulty(name, options);
+  if (name.starts_with(kCheats)) return make_cheat(name, options);
   return make_driver(name, options);
 }
 
