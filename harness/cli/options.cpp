@@ -88,6 +88,11 @@ void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
 }
 
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
+}
+
 void add_suite_options(CLI::App& command, SuiteOptions& options) {
   options.root = default_root();
   command
@@ -109,8 +114,10 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   run::RunOptions& run = options.run;
   run.driver_files = driver_files();
   command
-      .add_option("--candidate", run.candidate,
-                  "who is judged: renderer, renderer:scanline (fills by scanlines), or a driver")
+      .add_option(
+          "--candidate", run.candidate,
+          "who is judged: renderer, renderer:scanline (fills by scanlines), faults:NAME (the naive rasterizer "
+          "with a fault, 'fillrule faults --list'; faults:none has none), cheats:NAME, or a driver")
       ->capture_default_str();
   command
       .add_option("--reference", options.references,

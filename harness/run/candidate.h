@@ -31,7 +31,9 @@ struct CandidateOptions {
 };
 
 // The candidates there are: "renderer", "renderer:scanline" (which fills by scanlines instead of by edge functions),
-// and every Vulkan driver by the name that `fillrule devices` shows. Any other name is an error that says so.
+// "faults:NAME" and "cheats:NAME" (the naive rasterizer with that fault, "faults:none" without any, or cheat:
+// harness/faults), and every Vulkan driver by the name that `fillrule devices` shows. Any other name is an error that
+// says so.
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options);
 
 }  // namespace fillrule::run
