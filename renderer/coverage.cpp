@@ -162,11 +162,14 @@ void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition&
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
            const PixelRect& rect, TileCoverage& coverage) {
   coverage.count = 0;
-  if (rect.width() <= kBlockSize && rect.height() <= kBlockSize) {
+  const int32_t block_x = rect.left & ~(kBlockSize - 1);
+  const int32_t block_y = rect.top & ~(kBlockSize - 1);
+  if (rect.right <= block_x + kBlockSize && rect.bottom <= block_y + kBlockSize) {
     uint64_t mask = 0;
     for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
+    mask <<= static_cast<uint32_t>((rect.top - block_y) * kBlockSize + rect.left - block_x);
     if (mask != 0) {
-      coverage.blocks[coverage.count++] = {rect.left, rect.top, mask};
+      coverage.blocks[coverage.count++] = {block_x, block_y, mask};
     }
     return;
   }
