@@ -30,6 +30,18 @@ struct VaryingPlanes {
   Vec4 step_y;
 };
 
+// The same of one number.
+struct VaryingPlane {
+  float at_anchor;
+  float step_x;
+  float step_y;
+
+  template <typename L>
+  [[gnu::always_inline]] typename L::Float at(const typename L::Float& x, const typename L::Float& y) const {
+    return L::all(at_anchor) + L::all(step_x) * x + L::all(step_y) * y;
+  }
+};
+
 template <typename L>
 using Color = std::array<typename L::Float, 4>;
 
@@ -51,10 +63,19 @@ struct FragmentLanes {
  private:
   template <size_t kComponent>
   [[gnu::always_inline]] typename L::Float at(const VaryingPlanes& planes) const {
-    return L::all(planes.at_anchor[kComponent]) + L::all(planes.step_x[kComponent]) * x +
-           L::all(planes.step_y[kComponent]) * y;
+    const VaryingPlane plane{planes.at_anchor[kComponent], planes.step_x[kComponent], planes.step_y[kComponent]};
+    return plane.template at<L>(x, y);
   }
 };
+
+// The plane of 1/w, likewise; meaningless where weights have to be constrained.
+inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolation, int32_t anchor_x,
+                                       int32_t anchor_y) {
+  const auto& [l0, l1, l2] = interpolation.per_w;
+  return {.at_anchor = static_cast<float>(interpolation.reciprocal_w_at(anchor_x, anchor_y)),
+          .step_x = static_cast<float>(l0.step_x + l1.step_x + l2.step_x),
+          .step_y = static_cast<float>(l0.step_y + l1.step_y + l2.step_y)};
+}
 
 // The planes of value / w, for FragmentLanes::smooth(), of a primitive whose vertices have these values. The anchor
 // is a pixel at or near the fragments that they are for; the sums are in double, so that only their result is
@@ -92,7 +113,7 @@ template <typename L>
   constexpr uint32_t kNoFraction = 0x4B400000;
   constexpr auto kRest =
       static_cast<int32_t>(kNoFraction ^ kNoFraction << 8U ^ kNoFraction << 16U ^ kNoFraction << 24U);
-  return code(color[0]) ^ code(color[1]) << 8 ^ code(color[2]) << 16 ^ code(color[3]) << 24 ^ L::all(kRest);
+  return code(color[0]) ^ code(color[1]) << 8 ^ code(color[2]) << 16 ^ code(color[3]) << 24 ^ kRest;
 }
 
 }  // namespace fillrule::renderer

@@ -79,13 +79,6 @@ struct PrimitiveInterpolation {
            per_w[2].at(x_from_anchor, y_from_anchor);
   }
 
-  // The same as a plane from another anchor; meaningless where the weights have to be constrained.
-  [[nodiscard]] WindowPlane reciprocal_w_plane(int32_t new_anchor_x, int32_t new_anchor_y) const {
-    return {.at_anchor = reciprocal_w_at(new_anchor_x, new_anchor_y),
-            .step_x = per_w[0].step_x + per_w[1].step_x + per_w[2].step_x,
-            .step_y = per_w[0].step_y + per_w[1].step_y + per_w[2].step_y};
-  }
-
   [[nodiscard]] std::array<float, 2> point_coord_at(int32_t x, int32_t y,
                                                     const WindowOffset& from_centre = {}) const {
     const auto at = [&](const WindowPlane& plane) {

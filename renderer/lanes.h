@@ -24,9 +24,9 @@ struct ScalarLanes {
   using Double = double;
   using Mask = bool;
 
-  static Float all(float value) { return value; }
-  static Int all(int32_t value) { return value; }
-  static Double all(double value) { return value; }
+  // The same in every lane; -0 becomes 0.
+  static Float all(float value) { return value + 0.0F; }
+  static Double all(double value) { return value + 0.0; }
   // The lanes' numbers: 0, 1, 2 ...
   static Int numbers() { return 0; }
 
@@ -49,6 +49,9 @@ struct ScalarLanes {
     std::memcpy(&bits, &value, sizeof bits);
     return bits;
   }
+
+  // The lanes' lowest bytes, lane 0 lowest.
+  static uint64_t low_bytes(Int value) { return static_cast<uint64_t>(value) & 0xFFU; }
 
   static bool any(Mask mask) { return mask; }
   static Mask negated(Mask mask) { return !mask; }
@@ -112,13 +115,12 @@ struct VectorLanes {
     }
   };
 
-  // Less +0 every number is itself, -0 too.
-  [[gnu::always_inline]] static Float all(float value) { return value - Float{}; }
-  [[gnu::always_inline]] static Int all(int32_t value) { return value - Int{}; }
+  // Without the addition GCC 12 fills the lanes one by one.
+  [[gnu::always_inline]] static Float all(float value) { return value + Float{}; }
   [[gnu::always_inline]] static Double all(double value) {
     Double result;
     for (Part& part : result.parts) {
-      part = value - Part{};
+      part = value + Part{};
     }
     return result;
   }
@@ -162,8 +164,11 @@ struct VectorLanes {
   }
   [[gnu::always_inline]] static Mask negated(const Mask& mask) { return ~mask; }
   [[gnu::always_inline]] static Mask mask_of(uint32_t bits) {
-    const Int lane_bits = 1 << numbers();
-    return (all(static_cast<int32_t>(bits)) & lane_bits) == lane_bits;
+    // The bits in every byte, of which each byte keeps its own.
+    const uint64_t own_bits = (bits & kAllBits) * kEachByte & kOneOfEach;
+    Bytes bytes;
+    std::memcpy(&bytes, &own_bits, sizeof bytes);
+    return __builtin_convertvector(bytes, Int) != 0;
   }
   // The lanes' lowest bytes, lane 0 lowest.
   [[gnu::always_inline]] static uint64_t low_bytes(const Int& value) {
@@ -173,10 +178,8 @@ struct VectorLanes {
     return result;
   }
   [[gnu::always_inline]] static uint32_t bits_of(const Mask& mask) {
-    // One bit of each byte, moved to the top byte by the sum of eight shifts.
-    constexpr uint64_t kOneOfEach = 0x8040201008040201U;
-    constexpr uint64_t kGather = 0x0101010101010101U;
-    return static_cast<uint32_t>((low_bytes(mask) & kOneOfEach) * kGather >> 56U);
+    // The product moves one bit of each byte to the top byte.
+    return static_cast<uint32_t>((low_bytes(mask) & kOneOfEach) * kEachByte >> 56U);
   }
 
   template <uint32_t kTimes, uint32_t kPart>
@@ -185,6 +188,10 @@ struct VectorLanes {
   }
 
  private:
+  static constexpr uint64_t kEachByte = 0x0101010101010101U;
+  static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
+  static constexpr uint64_t kAllBits = (1U << kWidth) - 1;
+
   template <int32_t... kNumbers>
   [[gnu::always_inline]] static Int numbers(std::integer_sequence<int32_t, kNumbers...> /*all*/) {
     return Int{kNumbers...};

@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <type_traits>
 #include <vector>
 
 #include "renderer/shading.h"
@@ -23,7 +24,7 @@ struct Shader {
   const typename P::PrimitiveData& data;
   const ShadedPrimitive& primitive;
   const PrimitiveInterpolation& interpolation;
-  WindowPlane reciprocal_w;  // from the primitive's anchor of planes
+  VaryingPlane reciprocal_w;
 
   [[gnu::always_inline]] void shade(const CoverageBlock& block) const {
     if (static_cast<uint32_t>(block.x + kBlockSize) > draw.input.target_width) {
@@ -49,11 +50,17 @@ struct Shader {
 
   template <typename Lanes>
   [[gnu::always_inline]] void shade_rows(const CoverageBlock& block) const {
-    const WindowPlane& depth = interpolation.depth_framebuffer;
+    const WindowPlane depth = interpolation.depth_framebuffer;
+    const size_t first = index_of(block.x, block.y);
+    const size_t row_stride = draw.input.target_width;
+    float* const stored_depths = draw.input.depth.values.data() + first;
+    const DepthStage stage = draw.depth;
+    const bool tests = stage.tests();
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(Lanes::kWidth)) {
       const int32_t x = block.x + column;
       const auto xs = Lanes::to_double(Lanes::numbers() + (x - interpolation.anchor_x));
       const auto depth_column = Lanes::all(depth.at_anchor) + Lanes::all(depth.step_x) * xs;
+      const RowEmitter<Lanes> emitter(*this, x, first + static_cast<size_t>(column));
       for (int32_t row = 0; row < kBlockSize; ++row) {
         constexpr uint32_t kAllLanes = (1U << Lanes::kWidth) - 1;
         const auto bits = static_cast<uint32_t>(block.mask >> (row * kBlockSize + column)) & kAllLanes;
@@ -62,45 +69,68 @@ struct Shader {
         }
         const int32_t y = block.y + row;
         typename Lanes::Mask mask = Lanes::mask_of(bits);
-        if (draw.depth.tests()) {
-          float* const stored_depth = draw.input.depth.values.data() + index_of(x, y);
+        if (tests) {
+          float* const stored_depth = stored_depths + static_cast<size_t>(row) * row_stride + column;
           typename Lanes::Float stored = Lanes::load(stored_depth);
           const double depth_row = depth.step_y * (y - interpolation.anchor_y);
-          mask = draw.depth.template lands<Lanes>(depth_column + Lanes::all(depth_row), mask, stored);
+          mask = stage.template lands<Lanes>(depth_column + Lanes::all(depth_row), mask, stored);
           if (!Lanes::any(mask)) {
             continue;
           }
           Lanes::store(stored, stored_depth);
         }
-        emit<Lanes>(x, y, mask);
+        emitter.emit(static_cast<size_t>(row) * row_stride, y, mask);
       }
     }
   }
 
-  // Fragments of one sample a pixel, those in the mask, from (x, y) to the right.
+  // What becomes of the fragments of one sample a pixel in a column of rows of lanes, from x to the right. It holds
+  // copies: stores to the attachments cannot change those, so that what all rows share is computed once.
   template <typename Lanes>
-  [[gnu::always_inline]] void emit(int32_t x, int32_t y, const typename Lanes::Mask& mask) const {
-    if constexpr (ColorProgram<P>) {
-      uint32_t* const color = draw.input.color.values.data() + index_of(x, y);
-      const typename Lanes::Int packed = packed_color<Lanes>(x, y, {});
-      Lanes::store(mask ? packed : Lanes::load(color), color);
-    } else {
-      for (uint32_t bits = Lanes::bits_of(mask); bits != 0; bits &= bits - 1) {
-        program.fragment(data, {.x = x + std::countr_zero(bits), .y = y, .interpolation = interpolation});
+  struct RowEmitter {
+    [[gnu::always_inline]] RowEmitter(const Shader& shader, int32_t the_x, size_t first)
+        : program(shader.program),
+          data(shader.data),
+          interpolation(shader.interpolation),
+          reciprocal_w(shader.reciprocal_w),
+          x(the_x),
+          anchor_y(shader.primitive.anchor_y),
+          x_from_anchor(Lanes::to_float(Lanes::numbers() + (the_x - shader.primitive.anchor_x))),
+          color(shader.draw.input.color.values.data() + first) {}
+
+    // Those in the mask, so many values after the first row.
+    [[gnu::always_inline]] void emit(size_t offset, int32_t y, const typename Lanes::Mask& mask) const {
+      if constexpr (ColorProgram<P>) {
+        const typename Lanes::Int packed =
+            packed_color<Lanes>(program, data, reciprocal_w, x_from_anchor, static_cast<float>(y - anchor_y));
+        Lanes::store(mask ? packed : Lanes::load(color + offset), color + offset);
+      } else {
+        for (uint32_t bits = Lanes::bits_of(mask); bits != 0; bits &= bits - 1) {
+          program.fragment(data, {.x = x + std::countr_zero(bits), .y = y, .interpolation = interpolation});
+        }
       }
     }
-  }
+
+    const P& program;
+    std::conditional_t<ColorProgram<P>, const typename P::PrimitiveData, const typename P::PrimitiveData&> data;
+    const PrimitiveInterpolation& interpolation;
+    VaryingPlane reciprocal_w;
+    int32_t x;
+    int32_t anchor_y;
+    typename Lanes::Float x_from_anchor;
+    uint32_t* color;
+  };
 
   template <typename Lanes>
-  [[gnu::always_inline]] typename Lanes::Int packed_color(int32_t x, int32_t y, const WindowOffset& at) const {
+  [[gnu::always_inline]] static typename Lanes::Int packed_color(const P& program,
+                                                                 const typename P::PrimitiveData& data,
+                                                                 const VaryingPlane& reciprocal_w,
+                                                                 const typename Lanes::Float& x_from_anchor,
+                                                                 float y_from_anchor) {
     FragmentLanes<Lanes> fragments;
-    fragments.x = Lanes::to_float(Lanes::numbers() + (x - primitive.anchor_x)) + Lanes::all(static_cast<float>(at.x));
-    fragments.y = Lanes::all(static_cast<float>(y - primitive.anchor_y + at.y));
-    const auto plane = [](double value) __attribute__((always_inline)) {
-      return Lanes::all(static_cast<float>(value));
-    };
-    fragments.w = Lanes::all(1.0F) / (plane(reciprocal_w.at_anchor) + plane(reciprocal_w.step_x) * fragments.x +
-                                      plane(reciprocal_w.step_y) * fragments.y);
+    fragments.x = x_from_anchor;
+    fragments.y = Lanes::all(y_from_anchor);
+    fragments.w = Lanes::all(1.0F) / reciprocal_w.template at<Lanes>(fragments.x, fragments.y);
     return packed_unorm8<Lanes>(program.template color<Lanes>(data, fragments));
   }
 
@@ -142,7 +172,9 @@ struct Shader {
 
   void emit_fragment(const Fragment& fragment) const {
     if constexpr (ColorProgram<P>) {
-      const auto packed = static_cast<uint32_t>(packed_color<ScalarLanes>(fragment.x, fragment.y, fragment.position));
+      const auto packed = static_cast<uint32_t>(packed_color<ScalarLanes>(
+          program, data, reciprocal_w, static_cast<float>(fragment.x - primitive.anchor_x + fragment.position.x),
+          static_cast<float>(fragment.y - primitive.anchor_y + fragment.position.y)));
       for (uint32_t rest = fragment.samples; rest != 0; rest &= rest - 1) {
         draw.input.color.values[index_of(fragment.x, fragment.y) + static_cast<size_t>(std::countr_zero(rest))] =
             packed;
@@ -201,7 +233,7 @@ template <typename L, typename Coverage, Program P>
       const typename P::PrimitiveData data = program.primitive_data(shaded);
       const Shader<L, P> shader{draw,          program,
                                 data,          shaded,
-                                interpolation, interpolation.reciprocal_w_plane(shaded.anchor_x, shaded.anchor_y)};
+                                interpolation, reciprocal_w_plane(interpolation, shaded.anchor_x, shaded.anchor_y)};
       for (uint32_t i = 0; i < coverage.count; ++i) {
         shader.shade(coverage.blocks[i]);
       }
