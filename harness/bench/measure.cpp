@@ -70,7 +70,7 @@ PictureDifference difference(const std::vector<uint32_t>& a, const std::vector<u
 }
 
 Result<Measurement> measure(const std::string& name, const Scene& scene, const MeasureOptions& options) {
-  const Party renderer = make_renderer(scene, options.threads);
+  const Party renderer = make_renderer(scene, options.threads, options.isa);
   const Result<Party> reference = make_driver(scene, options.driver, options.threads);
   if (!reference) return tl::unexpected(reference.error());
   const Result<PictureDifference> difference = compare(scene, renderer, *reference);
@@ -92,6 +92,7 @@ Result<Measurement> measure(const std::string& name, const Scene& scene, const M
   }
   return Measurement{.name = name,
                      .threads = options.threads,
+                     .isa = options.isa,
                      .renderer = timing_of(std::move(ours)),
                      .reference = timing_of(std::move(theirs)),
                      .difference = *difference};

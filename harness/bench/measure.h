@@ -8,6 +8,7 @@
 #include "cases/model/result.h"
 #include "harness/bench/party.h"
 #include "harness/bench/scene.h"
+#include "renderer/isa.h"
 
 namespace fillrule::bench {
 
@@ -35,7 +36,8 @@ PictureDifference difference(const std::vector<uint32_t>& a, const std::vector<u
 enum class Clock : uint8_t { kWall, kProcessor };
 
 struct MeasureOptions {
-  uint32_t threads = 1;
+  uint32_t threads = 1;  // of either party
+  renderer::Isa isa = renderer::best_isa();
   uint32_t repetitions = 9;
   Clock clock = Clock::kWall;
   DriverOptions driver;
@@ -44,6 +46,7 @@ struct MeasureOptions {
 struct Measurement {
   std::string name;
   uint32_t threads = 1;
+  renderer::Isa isa{};
   Timing renderer;
   Timing reference;
   PictureDifference difference;

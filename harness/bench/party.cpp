@@ -115,15 +115,15 @@ std::vector<uint32_t> resolved(const std::vector<uint32_t>& color, uint32_t samp
 
 }  // namespace
 
-Party make_renderer(const Scene& scene, uint32_t threads) {
+Party make_renderer(const Scene& scene, uint32_t threads, renderer::Isa isa) {
   const size_t values = size_t{scene.target_size} * scene.target_size * scene.samples;
   const auto attachments = std::make_shared<Attachments>();
   attachments->color.resize(values);
   attachments->depth.resize(values);
-  const auto draw = [&scene, attachments, threads] {
+  const auto draw = [&scene, attachments, threads, isa] {
     std::fill(attachments->color.begin(), attachments->color.end(), 0);
     std::fill(attachments->depth.begin(), attachments->depth.end(), 1.0F);
-    return draw_scene(scene, *attachments, {.threads = threads});
+    return draw_scene(scene, *attachments, {.threads = threads, .isa = isa});
   };
   return {.name = "renderer", .draw = draw, .picture = [&scene, attachments] {
             return Result<std::vector<uint32_t>>(resolved(attachments->color, scene.samples));

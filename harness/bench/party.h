@@ -8,6 +8,7 @@
 
 #include "cases/model/result.h"
 #include "harness/bench/scene.h"
+#include "renderer/isa.h"
 
 namespace fillrule::bench {
 
@@ -26,7 +27,7 @@ struct DriverOptions {
 };
 
 // The scene must outlive the party.
-Party make_renderer(const Scene& scene, uint32_t threads);
+Party make_renderer(const Scene& scene, uint32_t threads, renderer::Isa isa);
 Result<Party> make_driver(const Scene& scene, const DriverOptions& driver, uint32_t threads);
 
 }  // namespace fillrule::bench
