@@ -25,5 +25,6 @@ void add_new(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
 void add_faults(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
 
 }  // namespace fillrule::cli
