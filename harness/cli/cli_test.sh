@@ -49,6 +49,13 @@ expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candi
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
 expect 0 'lavapipe' "$fillrule" devices
+expect 0 'own/cases/topic/a_case.toml' "$fillrule" new topic/a_case --folder own/cases
+expect 2 'is there already' "$fillrule" new topic/a_case --folder own/cases
+expect 2 '"a_case" is no name for a case' "$fillrule" new a_case --folder own/cases
+expect 0 '3 passed' "$fillrule" run topic/a_case --suite own/cases --reference oracle
+expect 2 "title is still the template's" "$fillrule" check own/cases/topic/a_case.toml
+expect 2 '1 file, 3 findings' "$fillrule" check 'topic/a_case[shift=1]' --suite own/cases
+expect 0 '2 files, 0 findings' "$fillrule" check coverage/shared_diagonal coverage/last_pixel
 expect 0 'gl_PointCoord' "$fillrule" features
 expect 0 'Exit codes' "$fillrule" run --help
 cp own/good.toml bare.toml
@@ -111,6 +118,12 @@ expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" exhaust --referen
 expect 0 'The sample lies' "$fillrule" explain own/good.toml --pixel 4,4
 expect 2 'pixel 99,4 is not in the target of 16 x 16 pixels' "$fillrule" explain own/good.toml --pixel 99,4
 expect 2 "--pixel takes X,Y" "$fillrule" explain own/good.toml --pixel 4
+expect 2 'sample 4 is not in a target of 1 sample per pixel' "$fillrule" explain own/good.toml --pixel 4,4 --sample 4
+expect 2 '--sample: Number less than 0' "$fillrule" explain own/good.toml --pixel 4,4 --sample -1
+expect 2 '--seed: Number less than 0' "$fillrule" stress --seed -1 --triangles 16
+expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles -1
+expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles 0
+expect 2 '--grid: Number less or equal to 0' "$fillrule" exhaust --grid -4
 expect 2 '4 cases match' "$fillrule" explain coverage/shared_diagonal --pixel 4,4
 expect 0 'triangles a second' "$fillrule" stress --triangles 500 --reference none --out "$work/stress"
 expect 2 'medium' "$fillrule" stress --families medium --out "$work/stress"

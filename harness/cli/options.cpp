@@ -14,12 +14,6 @@
 namespace fillrule::cli {
 namespace {
 
-// `cases` below the current folder, or else that of the sources the command was built from.
-std::string default_root() {
-  const std::string here = "cases";
-  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
-}
-
 judge::Profile profile_of(const std::vector<std::string>& names) {
   const auto named = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -28,18 +22,6 @@ judge::Profile profile_of(const std::vector<std::string>& names) {
           .diamond_exit = named("diamond_exit"),
           .precise = named("precise"),
           .same_bits = named("same_bits")};
-}
-
-std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
-    }
-  }
-  return result + "'";
 }
 
 bool is_below(const std::string& path, const std::string& folder) {
@@ -79,8 +61,36 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 
 }  // namespace
 
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
+}
+
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      result += c;
+    }
+  }
+  return result + "'";
+}
+
+std::string case_selector(const std::string& file, const std::string& name, const std::string& root) {
+  // A case of another folder than the suite's is found by its file.
+  if (!is_below(file, root)) return shell_quoted(file);
+  return shell_quoted(name) + (root == default_root() ? "" : " --suite " + shell_quoted(root));
+}
+
 void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
+}
+
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
 }
 
 void add_suite_options(CLI::App& command, SuiteOptions& options) {
@@ -104,8 +114,10 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   run::RunOptions& run = options.run;
   run.driver_files = driver_files();
   command
-      .add_option("--candidate", run.candidate,
-                  "who is judged: renderer, renderer:scanline (fills by scanlines), or a driver")
+      .add_option(
+          "--candidate", run.candidate,
+          "who is judged: renderer, renderer:scanline (fills by scanlines), faults:NAME (the naive rasterizer "
+          "with a fault, 'fillrule faults --list'; faults:none has none), cheats:NAME, or a driver")
       ->capture_default_str();
   command
       .add_option("--reference", options.references,
@@ -119,6 +131,7 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   command.add_option("--threads", run.candidate_options.threads, "that the candidate draws one case with")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  add_isa_option(command, run.candidate_options.isa);
   command.add_flag("--validation", run.validation, "load Vulkan's validation layers");
   command
       .add_option("--profile", options.profiles,
@@ -128,6 +141,19 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"top_left", "diamond_exit", "precise", "same_bits"}));
+}
+
+void add_isa_option(CLI::App& command, renderer::Isa& isa) {
+  std::vector<std::string> supported;
+  for (const renderer::Isa one : renderer::kAllIsas) {
+    if (renderer::is_supported(one)) supported.emplace_back(renderer::to_string(one));
+  }
+  command
+      .add_option_function<std::string>(
+          "--isa", [&isa](const std::string& name) { isa = *renderer::isa_named(name); },
+          "the renderer's instruction set; by default the greatest that the processor has, and any gives the same "
+          "bytes")
+      ->check(CLI::IsMember(supported));
 }
 
 std::vector<std::string> driver_files() {
@@ -147,11 +173,7 @@ Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit
 }
 
 void add_commands(const SuiteOptions& suite, const run::RunOptions& options, run::CaseResult& result) {
-  // A case of another folder than the suite's is found by its file.
-  const bool by_name = is_below(result.file, suite.root);
-  std::string selector = shell_quoted(by_name ? result.name : result.file);
-  if (by_name && suite.root != default_root()) selector += " --suite " + shell_quoted(suite.root);
-  add_commands_for(selector, options, result);
+  add_commands_for(case_selector(result.file, result.name, suite.root), options, result);
 }
 
 void add_commands(const run::RunOptions& options, run::CaseResult& result) {
