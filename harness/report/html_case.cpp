@@ -36,7 +36,7 @@ std::vector<WorstSample> worst_samples(const judge::CaseVerdict& verdict) {
   std::vector<std::tuple<uint32_t, uint32_t, uint32_t>> seen;
   for (const WorstSample& one : all) {
     const std::tuple place(one.record.y, one.record.x, one.record.sample);
-    if (unique.size() == kExplainedSamples) break;
+    if (unique.size() == kListedSamples) break;
     if (std::find(seen.begin(), seen.end(), place) != seen.end()) continue;
     seen.push_back(place);
     unique.push_back(one);
@@ -181,6 +181,7 @@ HtmlCase html_case(const Case& test_case, const run::CaseResult& result, const r
   std::vector<explain::Explanation> explanations;
   for (const WorstSample& one : worst_samples(drawing.verdict)) {
     worst.push_back(worst_json(one));
+    if (explanations.size() == kExplainedSamples) continue;
     explanations.push_back(explainer.at({.x = one.record.x, .y = one.record.y, .sample = one.record.sample}));
     explained.push_back(explanation_json(explanations.back()));
   }

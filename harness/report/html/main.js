@@ -281,4 +281,5 @@ byId("static").remove();
 byId("page").hidden = false;
 const app = new App();
 await app.start();
+performance.mark("ready");
 document.body.dataset.ready = counted(app.run.cases.length, "case");
