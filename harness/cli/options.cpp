@@ -14,12 +14,6 @@
 namespace fillrule::cli {
 namespace {
 
-// `cases` below the current folder, or else that of the sources the command was built from.
-std::string default_root() {
-  const std::string here = "cases";
-  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
-}
-
 judge::Profile profile_of(const std::vector<std::string>& names) {
   const auto named = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -28,18 +22,6 @@ judge::Profile profile_of(const std::vector<std::string>& names) {
           .diamond_exit = named("diamond_exit"),
           .precise = named("precise"),
           .same_bits = named("same_bits")};
-}
-
-std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
-  for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
-    } else {
-      result += c;
-    }
-  }
-  return result + "'";
 }
 
 bool is_below(const std::string& path, const std::string& folder) {
@@ -78,6 +60,29 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 }
 
 }  // namespace
+
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
+}
+
+std::string shell_quoted(const std::string& text) {
+  std::string result = "'";
+  for (const char c : text) {
+    if (c == '\'') {
+      result += "'\\''";
+    } else {
+      result += c;
+    }
+  }
+  return result + "'";
+}
+
+std::string case_selector(const std::string& file, const std::string& name, const std::string& root) {
+  // A case of another folder than the suite's is found by its file.
+  if (!is_below(file, root)) return shell_quoted(file);
+  return shell_quoted(name) + (root == default_root() ? "" : " --suite " + shell_quoted(root));
+}
 
 void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
@@ -147,11 +152,7 @@ Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit
 }
 
 void add_commands(const SuiteOptions& suite, const run::RunOptions& options, run::CaseResult& result) {
-  // A case of another folder than the suite's is found by its file.
-  const bool by_name = is_below(result.file, suite.root);
-  std::string selector = shell_quoted(by_name ? result.name : result.file);
-  if (by_name && suite.root != default_root()) selector += " --suite " + shell_quoted(suite.root);
-  add_commands_for(selector, options, result);
+  add_commands_for(case_selector(result.file, result.name, suite.root), options, result);
 }
 
 void add_commands(const run::RunOptions& options, run::CaseResult& result) {

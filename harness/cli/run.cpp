@@ -12,8 +12,10 @@
 #include "harness/report/json.h"
 #include "harness/report/pictures.h"
 #include "harness/report/terminal.h"
+#include "harness/report/timing_text.h"
 #include "harness/run/counted.h"
 #include "harness/run/deviations.h"
+#include "harness/run/stopwatch.h"
 
 namespace fillrule::cli {
 namespace {
@@ -44,7 +46,6 @@ void print_results(const RunCommandOptions& options, const run::RunResult& resul
   }
   fmt::print("{}", report::summary_text(result));
   fmt::print("{}", report::deviations_text(result, deviations));
-  if (options.parties.run.measure_alone) fmt::print("{}", report::timing_text(result));
 }
 
 bool print_if_failed(const Result<void>& result) {
@@ -124,7 +125,11 @@ int run_against(const RunCommandOptions& options, const run::RunOptions& run_opt
   const run::DeviationReport deviations =
       run::compare_with_known(result.cases, known.value_or(std::vector<run::Deviation>{}));
   print_results(options, result, deviations);
+  const run::Stopwatch writing;
   const bool written = write_report(options, *runner, cases, result, deviations);
+  if (run_options.measure_alone) {
+    fmt::print("{}", report::timing_text(result.timing, result.summary.cases, writing.seconds()));
+  }
   for (const std::string& message : runner->validation_messages()) fmt::print(stderr, "validation: {}\n", message);
   if (!written || !known) return kBadInput;
   const bool reference_failed = !deviations.unexpected.empty() || !deviations.gone.empty();
