@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "harness/cli/command.h"
+#include "harness/report/printable.h"
 
 namespace fillrule::cli {
 namespace {
@@ -30,13 +31,18 @@ judge::Profile profile_of(const std::vector<std::string>& names) {
           .same_bits = named("same_bits")};
 }
 
+// For a POSIX shell, or for bash where the text has characters that must not reach a terminal.
 std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
+  const bool plain = report::printable(text) == text;
+  std::string result = plain ? "'" : "$'";
   for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
+    const auto byte = static_cast<unsigned char>(c);
+    if (plain) {
+      result += c == '\'' ? "'\\''" : std::string(1, c);
+    } else if (c == '\'' || c == '\\') {
+      result.append("\\").push_back(c);
     } else {
-      result += c;
+      result += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
     }
   }
   return result + "'";
@@ -80,7 +86,7 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 }  // namespace
 
 void print_error(const Error& error) {
-  fmt::print(stderr, "{}\n", to_string(error));
+  fmt::print(stderr, "{}\n", report::printable_lines(to_string(error)));
 }
 
 void add_suite_options(CLI::App& command, SuiteOptions& options) {
@@ -175,6 +181,20 @@ Result<void> check_writable(const std::string& file) {
   if (!writable) return tl::unexpected(Error{.file = file, .what = "cannot be written"});
   if (!was_there) std::filesystem::remove(file, error);
   return {};
+}
+
+void add_deviation_options(CLI::App& command, std::string& expected_folder, bool& strict_reference) {
+  command.add_flag(
+      "--strict-reference", strict_reference,
+      "fail on a fault of the reference that is not on its list of known deviations, and on a listed one "
+      "that no longer occurs");
+  expected_folder = FILLRULE_SOURCE_DIR "/ci/expected";
+  command.add_option("--expected", expected_folder, "where the lists of known deviations are")->type_name("DIR");
+}
+
+bool has_failed(const run::RunResult& result, const run::DeviationReport& deviations, bool strict_reference) {
+  const bool as_listed = deviations.unexpected.empty() && deviations.gone.empty();
+  return result.summary.failed > 0 || (strict_reference && !as_listed);
 }
 
 bool is_driver(const std::string& reference) {

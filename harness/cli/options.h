@@ -7,6 +7,7 @@
 
 #include "cases/format/suite.h"
 #include "cases/model/result.h"
+#include "harness/run/deviations.h"
 #include "harness/run/suite_runner.h"
 
 namespace fillrule::cli {
@@ -50,6 +51,12 @@ void add_commands(const run::RunOptions& options, run::CaseResult& result);
 Result<void> prepare_folder(const std::string& folder);
 // Likewise for a file; its folder must be there. Leaves nothing behind.
 Result<void> check_writable(const std::string& file);
+
+// The lists of known deviations, and whether what is not on them counts.
+void add_deviation_options(CLI::App& command, std::string& expected_folder, bool& strict_reference);
+
+// Whether the candidate does not conform, or with `strict_reference` the reference is not as it is listed.
+bool has_failed(const run::RunResult& result, const run::DeviationReport& deviations, bool strict_reference);
 
 // The options of a run against one of the references.
 run::RunOptions against(const PartyOptions& options, const std::string& reference);

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 
 #include "harness/explain/internal.h"
@@ -28,15 +27,6 @@ struct Oracle {
         values(test_case, expectation),
         replay(test_case, expectation, values, subpixel_bits, rules) {}
 };
-
-// In units of the last place of the float32 next to `exact`.
-double error_in_ulps(float value, double exact) {
-  if (std::isnan(exact)) return 0;
-  const auto rounded = static_cast<float>(exact);
-  const double ulp =
-      double{std::nextafter(std::abs(rounded), std::numeric_limits<float>::infinity())} - double{std::abs(rounded)};
-  return std::abs(double{value} - exact) / ulp;
-}
 
 class Explainer {
  public:
@@ -117,7 +107,7 @@ class Explainer {
                             .value = value,
                             .standing = standing,
                             .tolerance = judged ? tolerance : std::nullopt,
-                            .ulps = error_in_ulps(value, standing.expected)});
+                            .ulps = judge::ulps_between(double{value}, standing.expected)});
   }
 
   // The outcome that the party shows; null where it shows none of the right ones.

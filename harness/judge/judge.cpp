@@ -92,21 +92,6 @@ Verdict combine(const Standing& candidate, const Standing* reference, bool equal
   return reference == nullptr && candidate.level == Class::kExact ? Verdict::kIdentical : Verdict::kPermitted;
 }
 
-void record(PlaneVerdict& plane, const SampleRecord& sample) {
-  // The box and the first sample belong to the gravest class met.
-  if (!plane.first || sample.verdict > plane.first->verdict) {
-    plane.first = sample;
-    plane.bounds = Bounds{.min_x = sample.x, .min_y = sample.y, .max_x = sample.x, .max_y = sample.y};
-  } else if (sample.verdict == plane.first->verdict) {
-    Bounds& box = *plane.bounds;
-    box = {.min_x = std::min(box.min_x, sample.x),
-           .min_y = std::min(box.min_y, sample.y),
-           .max_x = std::max(box.max_x, sample.x),
-           .max_y = std::max(box.max_y, sample.y)};
-  }
-  if (!plane.worst || graver(sample, *plane.worst)) plane.worst = sample;
-}
-
 std::vector<PlaneVerdict> planes_of(const Case& test_case, bool with_depth) {
   std::vector<PlaneVerdict> planes{{.name = "coverage", .kind = PlaneKind::kCoverage},
                                    {.name = "hits", .kind = PlaneKind::kHits},
@@ -214,7 +199,9 @@ class CaseJudge {
       }
       ++plane.counts[static_cast<size_t>(sample.verdict)];
       if (settings_.keep_maps) plane.map[index] = sample.verdict;
-      if (sample.verdict > Verdict::kPermitted) record(plane, sample);
+      if (sample.verdict <= Verdict::kPermitted) continue;
+      record(plane, sample);
+      if (settings_.keep_maps) keep_worst(plane.worst_samples, sample);
     }
   }
 

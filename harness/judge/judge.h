@@ -31,7 +31,7 @@ struct Profile {
 
 struct Settings {
   Profile profile;
-  bool keep_maps = false;  // fill PlaneVerdict::map
+  bool keep_maps = false;  // fill PlaneVerdict::map and worst_samples
 };
 
 // `reference` may be null: the candidate is then held against the oracle alone, and "identical" means equal to the

@@ -21,6 +21,9 @@ enum class Verdict : uint8_t {
 };
 inline constexpr size_t kVerdictCount = 6;
 
+// So many of the worst samples are kept.
+inline constexpr size_t kWorstSamples = 64;
+
 enum class PlaneKind : uint8_t { kCoverage, kHits, kOwner, kFrontFacing, kDepth, kVarying };
 
 // Where two parties differ, or one is at fault. Integer planes hold their numbers as doubles.
@@ -55,7 +58,10 @@ struct PlaneVerdict {
   std::optional<Bounds> bounds;
   std::optional<SampleRecord> first;
   std::optional<SampleRecord> worst;
-  std::vector<Verdict> map;  // one for each sample, where the judge was asked for it
+  // Where the judge was asked for them: a verdict for each sample, and the gravest samples beyond kPermitted, the
+  // worst one first.
+  std::vector<Verdict> map;
+  std::vector<SampleRecord> worst_samples;
 
   [[nodiscard]] uint64_t count(Verdict verdict) const { return counts[static_cast<size_t>(verdict)]; }
   [[nodiscard]] uint64_t candidate_faults() const {
@@ -82,5 +88,15 @@ struct CaseVerdict {
 
 // By verdict, then by severity.
 bool graver(const SampleRecord& a, const SampleRecord& b);
+
+// Takes a sample beyond kPermitted into the plane's box, its first and its worst sample.
+void record(PlaneVerdict& plane, const SampleRecord& sample);
+
+// Takes a sample into a list of the gravest kWorstSamples, the worst first, equal ones in the order they come.
+void keep_worst(std::vector<SampleRecord>& worst, const SampleRecord& sample);
+
+// How far a value is from the exact one, in units of the last place of the float32 next to that; 0 where the exact
+// one is NaN, as there is more than one answer.
+double ulps_between(double value, double exact);
 
 }  // namespace fillrule::judge

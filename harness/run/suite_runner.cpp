@@ -3,11 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <condition_variable>
-#include <deque>
-#include <mutex>
-#include <thread>
 
+#include "harness/run/job_queue.h"
 #include "harness/run/reference.h"
 #include "reference/exact/features.h"
 
@@ -23,62 +20,6 @@ double seconds_since(Clock::time_point start) {
 // So many cases are handed to the reference at once: enough to share a submission, few enough that judging starts
 // soon.
 constexpr size_t kBatchSize = 32;
-
-// What a worker takes: a case, its place in the results and what the reference drew.
-struct Job {
-  size_t index = 0;
-  std::unique_ptr<const Planes> reference;  // none where the candidate is alone with the oracle
-};
-
-// Jobs from one thread to many, at most `capacity` waiting, so that pictures do not pile up.
-class JobQueue {
- public:
-  explicit JobQueue(size_t capacity) : capacity_(capacity) {}
-
-  void push(Job job) {
-    std::unique_lock lock(mutex_);
-    space_.wait(lock, [this] { return jobs_.size() < capacity_; });
-    jobs_.push_back(std::move(job));
-    ready_.notify_one();
-  }
-
-  void close() {
-    const std::lock_guard lock(mutex_);
-    closed_ = true;
-    ready_.notify_all();
-  }
-
-  // Empty when the queue has been closed and emptied.
-  std::optional<Job> pop() {
-    std::unique_lock lock(mutex_);
-    ready_.wait(lock, [this] { return closed_ || !jobs_.empty(); });
-    if (jobs_.empty()) return std::nullopt;
-    Job job = std::move(jobs_.front());
-    jobs_.pop_front();
-    space_.notify_one();
-    return job;
-  }
-
- private:
-  size_t capacity_;
-  std::mutex mutex_;
-  std::condition_variable ready_;
-  std::condition_variable space_;
-  std::deque<Job> jobs_;
-  bool closed_ = false;
-};
-
-// Starts `count` threads and waits for them at the end of the scope.
-class Workers {
- public:
-  template <typename Work>
-  Workers(uint32_t count, Work work) {
-    for (uint32_t i = 0; i < count; ++i) threads_.emplace_back([work, i] { work(i); });
-  }
-
- private:
-  std::vector<std::jthread> threads_;
-};
 
 }  // namespace
 
@@ -163,7 +104,8 @@ struct SuiteRunner::State {
     return drawn;
   }
 
-  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue, Timing& timing) {
+  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue, Timing& timing,
+            const Progress& progress) {
     for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
       const size_t size = std::min(kBatchSize, cases.size() - begin);
       std::vector<std::unique_ptr<const Planes>> drawn(size);
@@ -173,7 +115,10 @@ struct SuiteRunner::State {
         timing.reference_seconds += seconds_since(start);
       }
       for (size_t i = 0; i < size; ++i) {
-        if (results[begin + i].status == Status::kFailed) continue;
+        if (results[begin + i].status == Status::kFailed) {
+          progress();
+          continue;
+        }
         queue.push({.index = begin + i, .reference = std::move(drawn[i])});
       }
     }
@@ -189,7 +134,7 @@ struct SuiteRunner::State {
   }
 
   // Draws and judges everything.
-  void run(std::span<const Case> cases, std::vector<CaseResult>& results, Timing& timing) {
+  void run(std::span<const Case> cases, std::vector<CaseResult>& results, Timing& timing, const Progress& progress) {
     const uint32_t jobs = std::max(options.jobs, 1U);
     std::vector<Timing> timings(jobs);
     {
@@ -197,9 +142,10 @@ struct SuiteRunner::State {
       const Workers workers(jobs, [&](uint32_t worker) {
         while (std::optional<Job> job = queue.pop()) {
           finish(cases[job->index], job->reference.get(), results[job->index], timings[worker]);
+          progress();
         }
       });
-      feed(cases, results, queue, timing);
+      feed(cases, results, queue, timing, progress);
     }
     for (const Timing& of_worker : timings) {
       timing.candidate_seconds += of_worker.candidate_seconds;
@@ -218,7 +164,7 @@ struct SuiteRunner::State {
       start = Clock::now();
       std::vector<CaseResult> ignored(cases.size());
       Timing ignored_timing;
-      run(cases, ignored, ignored_timing);
+      run(cases, ignored, ignored_timing, [] {});
       suite[i] = seconds_since(start);
     }
     std::sort(suite.begin(), suite.end());
@@ -250,7 +196,7 @@ SuiteRunner::SuiteRunner(SuiteRunner&&) noexcept = default;
 SuiteRunner& SuiteRunner::operator=(SuiteRunner&&) noexcept = default;
 SuiteRunner::~SuiteRunner() = default;
 
-RunResult SuiteRunner::run(std::span<const Case> cases) {
+RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress) {
   RunResult result{.candidate = state_->candidate.name,
                    .candidate_subpixel_bits = state_->candidate.subpixel_bits,
                    .reference = {.driver = kNoReference}};
@@ -267,7 +213,8 @@ RunResult SuiteRunner::run(std::span<const Case> cases) {
     result.cases[i].name = cases[i].name;
     result.cases[i].file = cases[i].file;
   }
-  state_->run(cases, result.cases, result.timing);
+  state_->run(
+      cases, result.cases, result.timing, progress ? progress : [] {});
   result.summary = summarise(result.cases, seconds_since(start));
   if (state_->reference && state_->options.measure_alone) result.timing.warm = state_->measure_warm(cases);
   return result;

@@ -1,4 +1,4 @@
-#include "harness/report/terminal.h"
+#include "harness/terminal/text.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -6,14 +6,14 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "harness/report/names.h"
+#include "harness/report/printable.h"
 #include "harness/run/counted.h"
+#include "harness/terminal/worst.h"
 
-namespace fillrule::report {
+namespace fillrule::terminal {
 namespace {
 
 using judge::PlaneKind;
@@ -25,43 +25,30 @@ using run::counted;
 constexpr std::array kVerdictsBySeverity{Verdict::kBothFault, Verdict::kCandidateFault, Verdict::kReferenceFault,
                                          Verdict::kImprecise, Verdict::kPermitted,      Verdict::kIdentical};
 
-// kNoOwner, as the number that the owner plane's records hold.
-constexpr double kNoOwnerNumber = std::numeric_limits<uint32_t>::max();
-
-std::string value_text(PlaneKind kind, double value) {
-  if (kind == PlaneKind::kOwner && value == kNoOwnerNumber) return "none";
-  if (std::isnan(value)) return "nan";  // of either sign
-  if (kind == PlaneKind::kDepth || kind == PlaneKind::kVarying) return fmt::format("{:.9g}", value);
-  return fmt::format("{}", value);
-}
-
-std::string sample_text(const PlaneVerdict& plane, const SampleRecord& sample, std::string_view label) {
+std::string sample_text(const PlaneVerdict& plane, const SampleRecord& sample, std::string_view label,
+                        const Style& style) {
   std::string text = fmt::format("      {} ({}, {})", label, sample.x, sample.y);
+  if (sample.sample > 0) text += fmt::format(" sample {}", sample.sample);
   if (plane.components > 1) text += fmt::format(" .{}", "xyzw"[sample.component]);
-  text += fmt::format(": {}, candidate {}", name_of(sample.verdict), value_text(plane.kind, sample.candidate));
-  if (sample.reference) text += fmt::format(", reference {}", value_text(plane.kind, *sample.reference));
-  if (!std::isnan(sample.expected)) text += fmt::format(", exact {}", value_text(plane.kind, sample.expected));
-  if (sample.tolerance > 0 && std::isfinite(sample.tolerance)) text += fmt::format(" +- {:.3g}", sample.tolerance);
-  return text + "\n";
+  text += fmt::format(": {}, {}", report::name_of(sample.verdict), values_text(plane, sample));
+  return report::wrapped(text, style.columns, 8) + "\n";
 }
 
-std::string plane_text(const PlaneVerdict& plane) {
-  std::string text = fmt::format("    {}:", plane.name);
-  std::string_view separator = " ";
+std::string plane_text(const PlaneVerdict& plane, const Style& style) {
+  Verdict gravest = Verdict::kIdentical;
   for (const Verdict verdict : kVerdictsBySeverity) {
-    if (plane.count(verdict) == 0) continue;
-    text += fmt::format("{}{} {}", separator, plane.count(verdict), name_of(verdict));
-    separator = ", ";
+    if (plane.count(verdict) > 0) gravest = std::max(gravest, verdict);
   }
+  std::string text = "    " + counts_text(plane);
   if (plane.bounds) {
     text += fmt::format("; within ({}, {}) to ({}, {})", plane.bounds->min_x, plane.bounds->min_y,
                         plane.bounds->max_x, plane.bounds->max_y);
   }
-  text += "\n";
-  if (plane.first) text += sample_text(plane, *plane.first, "first");
+  text = style.paint(role_of(gravest), report::wrapped(text, style.columns, 6)) + "\n";
+  if (plane.first) text += sample_text(plane, *plane.first, "first", style);
   const bool another = plane.worst && (plane.worst->x != plane.first->x || plane.worst->y != plane.first->y ||
                                        plane.worst->sample != plane.first->sample);
-  if (another) text += sample_text(plane, *plane.worst, "worst");
+  if (another) text += sample_text(plane, *plane.worst, "worst", style);
   return text;
 }
 
@@ -70,25 +57,69 @@ bool is_identical(const PlaneVerdict& plane) {
   return plane.count(Verdict::kIdentical) == all;
 }
 
+Role role_of_status(run::Status status) {
+  switch (status) {
+    case run::Status::kPassed:
+      return Role::kGood;
+    case run::Status::kFailed:
+      return Role::kBad;
+    case run::Status::kSkipped:
+      return Role::kCaution;
+  }
+  return Role::kPlain;
+}
+
 }  // namespace
 
-std::string case_text(const run::CaseResult& result) {
-  std::string status(name_of(result.status));
-  std::transform(status.begin(), status.end(), status.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
-  std::string text = fmt::format("  {:<7} {}\n", status, result.name);
-  if (!result.message.empty()) text += fmt::format("    {}\n", result.message);
+std::string counts_text(const PlaneVerdict& plane) {
+  std::string text = report::printable(plane.name) + ":";
+  std::string_view separator = " ";
+  for (const Verdict verdict : kVerdictsBySeverity) {
+    if (plane.count(verdict) == 0) continue;
+    text += fmt::format("{}{} {}", separator, plane.count(verdict), report::name_of(verdict));
+    separator = ", ";
+  }
+  return text;
+}
+
+std::string fault_text(const run::CaseResult& result) {
+  std::string text = report::printable(result.message);
+  const auto add = [&text](const std::string& part) { text += (text.empty() ? "" : "; ") + part; };
   for (const PlaneVerdict& plane : result.verdict.planes) {
-    if (is_identical(plane)) continue;
-    text += plane_text(plane);
+    if (plane.candidate_faults() > 0 || plane.reference_faults() > 0) add(counts_text(plane));
   }
   for (const judge::CheckResult& check : result.checks) {
-    if (check.outcome == judge::CheckResult::Outcome::kFailed) {
-      text += fmt::format("    check {}: {}\n", check.name, check.message);
-    }
+    if (check.outcome != judge::CheckResult::Outcome::kFailed) continue;
+    add(fmt::format("check {}: {}", check.name, report::printable(check.message)));
   }
+  return text;
+}
+
+std::string case_text(const run::CaseResult& result, const Style& style, std::string_view inspection) {
+  std::string status(report::name_of(result.status));
+  std::transform(status.begin(), status.end(), status.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+  constexpr size_t kBeforeName = 10;
+  const size_t room = style.columns == 0 ? 0 : style.columns - std::min(style.columns - 1, kBeforeName);
+  std::string text =
+      fmt::format("  {} {}\n", style.paint(role_of_status(result.status), fmt::format("{:<7}", status)),
+                  report::shortened(report::printable(result.name), room));
+  const auto line = [&](Role role, const std::string& words) {
+    text += style.paint(role, report::wrapped("    " + report::printable(words), style.columns, 6)) + "\n";
+  };
+  if (!result.message.empty()) line(Role::kPlain, result.message);
+  if (!result.reason.empty()) line(Role::kHeading, result.reason);
+  for (const PlaneVerdict& plane : result.verdict.planes) {
+    if (!is_identical(plane)) text += plane_text(plane, style);
+  }
+  for (const judge::CheckResult& check : result.checks) {
+    if (check.outcome != judge::CheckResult::Outcome::kFailed) continue;
+    line(Role::kBad, fmt::format("check {}: {}", check.name, check.message));
+  }
+  text += inspection;
   const bool at_fault = result.verdict.candidate_faults() > 0 || result.verdict.reference_faults() > 0;
   if (result.status == run::Status::kFailed || at_fault) {
+    // Never cut nor broken into lines: they are there to be pasted.
     if (!result.show_command.empty()) text += fmt::format("    see it: {}\n", result.show_command);
     if (!result.explain_command.empty()) text += fmt::format("    explain it: {}\n", result.explain_command);
   }
@@ -107,19 +138,27 @@ std::string parties_text(const run::RunResult& result) {
   return text;
 }
 
-std::string summary_text(const run::RunResult& result) {
+std::string summary_text(const run::RunResult& result, const Style& style) {
   const run::Summary& summary = result.summary;
+  const auto painted = [&style](Role role, uint64_t count, std::string_view what) {
+    return style.paint(count > 0 ? role : Role::kPlain, fmt::format("{} {}", count, what));
+  };
   std::string text = parties_text(result);
-  text += fmt::format("{}: {} passed, {} failed, {} skipped, in {:.2f} s\n", counted(summary.cases, "case"),
-                      summary.passed, summary.failed, summary.skipped, summary.wall_seconds);
+  if (result.shard.total > 1) {
+    text += fmt::format("shard {} of {}, of {}\n", result.shard.index + 1, result.shard.total,
+                        counted(result.shard.suite_cases, "case"));
+  }
+  text += fmt::format("{}: {}, {}, {}, in {:.2f} s\n", counted(summary.cases, "case"),
+                      painted(Role::kGood, summary.passed, "passed"), painted(Role::kBad, summary.failed, "failed"),
+                      painted(Role::kCaution, summary.skipped, "skipped"), summary.wall_seconds);
   if (summary.failed_checks > 0) {
     text += fmt::format("{} failed\n", counted(summary.failed_checks, "metamorphic check"));
   }
-  text +=
-      fmt::format("samples over all planes: {} identical, {} permitted, {} imprecise, {}, {}\n", summary.identical,
+  const std::string counts =
+      fmt::format("samples over all planes: {} identical, {} permitted, {} imprecise, {}, {}", summary.identical,
                   summary.permitted, summary.imprecise, counted(summary.candidate_faults, "candidate fault"),
                   counted(summary.reference_faults, "reference fault"));
-  return text;
+  return text + report::wrapped(counts, style.columns, 2) + "\n";
 }
 
 std::string deviations_text(const run::RunResult& result, const run::DeviationReport& deviations) {
@@ -130,8 +169,8 @@ std::string deviations_text(const run::RunResult& result, const run::DeviationRe
                         deviations.known.size() == 1 ? "was" : "were", run::deviations_file_name(result.reference));
   }
   for (const auto& fault : deviations.unexpected) {
-    text += fmt::format("NEW fault of {}: {}, {}, {}\n", driver, fault.case_name, fault.plane,
-                        counted(fault.samples, "sample"));
+    text += fmt::format("NEW fault of {}: {}, {}, {}\n", driver, report::printable(fault.case_name),
+                        report::printable(fault.plane), counted(fault.samples, "sample"));
   }
   for (const run::Deviation& gone : deviations.gone) {
     text += fmt::format("GONE from {}: {} ({}) no longer occurs\n", driver, fmt::join(gone.cases, ", "),
@@ -153,8 +192,9 @@ std::string disagreements_text(const run::RunResult& result) {
       const uint64_t second = plane.count(Verdict::kReferenceFault);
       const uint64_t both = plane.count(Verdict::kBothFault);
       if (first + second + both == 0) continue;
-      text += fmt::format("  {}, {}: wrong at {} {}, at {} {}, at {} both\n", one.name, plane.name,
-                          counted(first, "sample"), result.candidate, second, result.reference.driver, both);
+      text += fmt::format("  {}, {}: wrong at {} {}, at {} {}, at {} both\n", report::printable(one.name),
+                          report::printable(plane.name), counted(first, "sample"), result.candidate, second,
+                          result.reference.driver, both);
     }
     permitted_cases += permitted > 0 ? 1 : 0;
     permitted_samples += permitted;
@@ -186,4 +226,4 @@ std::string timing_text(const run::RunResult& result) {
   return text;
 }
 
-}  // namespace fillrule::report
+}  // namespace fillrule::terminal

@@ -1,0 +1,75 @@
+// How the work of a run is handed from one thread to many.
+#pragma once
+
+#include <condition_variable>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "cases/model/planes.h"
+
+namespace fillrule::run {
+
+// What a worker takes: a case, its place in the results and what the reference drew.
+struct Job {
+  size_t index = 0;
+  std::unique_ptr<const Planes> reference;  // none where the candidate is alone with the oracle
+};
+
+// Jobs from one thread to many, at most `capacity` waiting, so that pictures do not pile up.
+class JobQueue {
+ public:
+  explicit JobQueue(size_t capacity) : capacity_(capacity) {}
+
+  void push(Job job) {
+    std::unique_lock lock(mutex_);
+    space_.wait(lock, [this] { return jobs_.size() < capacity_; });
+    jobs_.push_back(std::move(job));
+    ready_.notify_one();
+  }
+
+  void close() {
+    const std::lock_guard lock(mutex_);
+    closed_ = true;
+    ready_.notify_all();
+  }
+
+  // Empty when the queue has been closed and emptied.
+  std::optional<Job> pop() {
+    std::unique_lock lock(mutex_);
+    ready_.wait(lock, [this] { return closed_ || !jobs_.empty(); });
+    if (jobs_.empty()) return std::nullopt;
+    Job job = std::move(jobs_.front());
+    jobs_.pop_front();
+    space_.notify_one();
+    return job;
+  }
+
+ private:
+  size_t capacity_;
+  std::mutex mutex_;
+  std::condition_variable ready_;
+  std::condition_variable space_;
+  std::deque<Job> jobs_;
+  bool closed_ = false;
+};
+
+// Starts `count` threads and waits for them at the end of the scope.
+class Workers {
+ public:
+  template <typename Work>
+  Workers(uint32_t count, Work work) {
+    for (uint32_t i = 0; i < count; ++i) threads_.emplace_back([work, i] { work(i); });
+  }
+
+ private:
+  std::vector<std::jthread> threads_;
+};
+
+}  // namespace fillrule::run
