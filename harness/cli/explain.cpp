@@ -39,7 +39,7 @@ std::optional<Case> load_one(const SuiteOptions& options) {
   if (!suite.errors.empty()) return std::nullopt;
   if (suite.cases.size() == 1) return std::move(suite.cases.front());
   std::string names;
-  for (const Case& one : suite.cases) names += "\n  " + one.name;
+  for (const Case& one : suite.cases) names += "\n  " + report::printable(one.name);
   print_error({.what = fmt::format("{} cases match, and one sample of one case can be explained:{}",
                                    suite.cases.size(), names)});
   return std::nullopt;

@@ -153,10 +153,15 @@ Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit
 }
 
 void add_commands(const SuiteOptions& suite, const run::RunOptions& options, run::CaseResult& result) {
-  // A case of another folder than the suite's is found by its file.
-  const bool by_name = is_below(result.file, suite.root);
-  std::string selector = shell_quoted(by_name ? result.name : result.file);
-  if (by_name && suite.root != default_root()) selector += " --suite " + shell_quoted(suite.root);
+  const bool in_suite = is_below(result.file, suite.root);
+  // One case of a sweep has to be named. A case of another folder than the suite's is named from there.
+  const std::string path = result.name.substr(0, result.name.rfind('[')) + ".toml";
+  const bool named_by_path = result.name.ends_with(']') && result.file.ends_with(path);
+  if (!in_suite && !named_by_path) return add_commands_for(shell_quoted(result.file), options, result);
+  std::string root = in_suite ? suite.root : result.file.substr(0, result.file.size() - path.size());
+  if (root.empty()) root = ".";
+  std::string selector = shell_quoted(result.name);
+  if (root != default_root()) selector += " --suite " + shell_quoted(root);
   add_commands_for(selector, options, result);
 }
 

@@ -140,17 +140,16 @@ std::string parties_text(const run::RunResult& result) {
 
 std::string summary_text(const run::RunResult& result, const Style& style) {
   const run::Summary& summary = result.summary;
-  const auto painted = [&style](Role role, uint64_t count, std::string_view what) {
-    return style.paint(count > 0 ? role : Role::kPlain, fmt::format("{} {}", count, what));
-  };
-  std::string text = parties_text(result);
+  std::string text = report::wrapped(parties_text(result), style.columns, 2);
   if (result.shard.total > 1) {
     text += fmt::format("shard {} of {}, of {}\n", result.shard.index + 1, result.shard.total,
                         counted(result.shard.suite_cases, "case"));
   }
-  text += fmt::format("{}: {}, {}, {}, in {:.2f} s\n", counted(summary.cases, "case"),
-                      painted(Role::kGood, summary.passed, "passed"), painted(Role::kBad, summary.failed, "failed"),
-                      painted(Role::kCaution, summary.skipped, "skipped"), summary.wall_seconds);
+  const std::string outcome =
+      fmt::format("{}: {} passed, {} failed, {} skipped, in {:.2f} s", counted(summary.cases, "case"), summary.passed,
+                  summary.failed, summary.skipped, summary.wall_seconds);
+  text +=
+      style.paint(summary.failed > 0 ? Role::kBad : Role::kGood, report::wrapped(outcome, style.columns, 2)) + "\n";
   if (summary.failed_checks > 0) {
     text += fmt::format("{} failed\n", counted(summary.failed_checks, "metamorphic check"));
   }

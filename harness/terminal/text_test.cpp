@@ -98,6 +98,17 @@ TEST(Terminal, TheSummaryNamesThePartiesAndCounts) {
   EXPECT_EQ(summary_text(result, {}).substr(0, 61), "candidate renderer (8 subpixel bits) against the oracle alone");
 }
 
+TEST(Terminal, TheSummaryIsColouredByTheOutcomeAndKeepsToTheWidth) {
+  run::RunResult result{.candidate = "renderer", .shard = {.index = 1, .total = 4, .suite_cases = 9}};
+  result.summary = {.cases = 2, .passed = 1, .failed = 1};
+  const std::string text = summary_text(result, {.colour = true, .columns = 30});
+  EXPECT_NE(text.find("\x1b[1;31m2 cases: 1 passed, 1 failed, 0\n  skipped, in 0.00 s\x1b[0m\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("shard 2 of 4, of 9 cases\n"), std::string::npos) << text;
+  result.summary = {.cases = 1, .passed = 1};
+  EXPECT_NE(summary_text(result, {.colour = true}).find("\x1b[32m1 case: 1 passed"), std::string::npos);
+}
+
 TEST(Terminal, NewFaultsOfTheReferenceAndThoseThatAreGoneAreTold) {
   run::RunResult result;
   result.reference.driver = "lavapipe";
