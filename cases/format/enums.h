@@ -119,6 +119,12 @@ inline constexpr std::array<EnumName<VaryingSource>, 3> kVaryingSources{{
     {"point_coord", VaryingSource::kPointCoord},
 }};
 
+inline constexpr std::array<EnumName<Effect>, 3> kEffects{{
+    {"different", Effect::kDifferent},
+    {"same", Effect::kSame},
+    {"nothing", Effect::kNothing},
+}};
+
 inline constexpr std::array<EnumName<PositionSpace>, 3> kPositionSpaces{{
     {"clip", PositionSpace::kClip},
     {"ndc", PositionSpace::kNdc},

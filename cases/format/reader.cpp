@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "cases/format/sections.h"
+#include "cases/format/siblings.h"
 #include "cases/format/sweep.h"
 
 namespace fillrule::format {
@@ -25,13 +26,14 @@ class FileReader {
       : root_(root), text_(text), diagnostics_(file), values_(evaluator_, diagnostics_) {}
 
   CaseFile read(const std::string& name) {
-    check_keys(
-        {root_, "the case file"},
-        {"title", "why", "spec", "origin", "tags", "opt_out", "target", "state", "varyings", "let", "sweep", "draw"},
-        diagnostics_);
+    check_keys({root_, "the case file"},
+               {"title", "why", "spec", "origin", "tags", "control", "expect", "opt_out", "target", "state",
+                "varyings", "let", "sweep", "draw"},
+               diagnostics_);
     Case head{.file = diagnostics_.file()};
     read_head(root_, diagnostics_, head);
     const Sweep sweep = read_sweep(root_, text_, evaluator_, diagnostics_);
+    const Siblings siblings = read_siblings(root_, text_, sweep, diagnostics_);
     read_let(sweep);
     // A case with an error ends the expansion: the others of the file have mostly the same. Where the head or the
     // sweep is wrong, one case is still read for its errors.
@@ -44,6 +46,7 @@ class FileReader {
         return CaseFile{.errors = diagnostics_.take()};
       }
       expanded.name = name + sweep.suffix(i);
+      siblings.apply(name, sweep, i, expanded);
       result.cases.push_back(std::move(expanded));
     }
     return result;

@@ -48,6 +48,7 @@ TEST(Readme, TheFullExampleIsWhatItSays) {
   ASSERT_EQ(file.cases.size(), 12U);
   const Case& last = file.cases.back();
   EXPECT_EQ(last.name, "example[angle=pi/4,height=64,cull=back]");
+  EXPECT_EQ(last.control, "example[angle=0,height=64,cull=back]");
   EXPECT_EQ(last.target.height, 64U);
   ASSERT_EQ(last.draws.size(), 2U);
   EXPECT_EQ(last.draws[0].positions.size(), 18U);

@@ -137,10 +137,10 @@ TEST_F(SuiteTest, TheOtherFilesOfABadOneStillCount) {
   write("suite/coverage/bad.toml", "x = 1\n" + kDraw);
   EXPECT_THAT(names({"coverage/*"}),
               ElementsAre("coverage/shared_diagonal", "coverage/tie[a=1]", "coverage/tie[a=2]"));
-  EXPECT_EQ(
-      errors(),
-      "suite/coverage/bad.toml:4:1: unknown key \"x\" in the case file\n"
-      "  hint: known keys: title, why, spec, origin, tags, opt_out, target, state, varyings, let, sweep, draw\n");
+  EXPECT_EQ(errors(),
+            "suite/coverage/bad.toml:4:1: unknown key \"x\" in the case file\n"
+            "  hint: known keys: title, why, spec, origin, tags, control, expect, opt_out, target, state, varyings, "
+            "let, sweep, draw\n");
   EXPECT_THAT(names({"coverage/bad[x=1]"}), IsEmpty());
   EXPECT_EQ(suite_.errors.size(), 1U);
 }

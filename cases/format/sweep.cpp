@@ -59,10 +59,10 @@ class SweepReader {
     for (const toml::node& node : list) {
       if (is_text(node)) {
         variable.is_text = true;
-        variable.values.push_back({.written = written(node)});
+        variable.values.push_back({.written = written_value(node, text_)});
       } else if (const auto number = values_.number(node, fmt::format("sweep variable \"{}\"", variable.name))) {
         has_number = true;
-        variable.values.push_back({.written = written(node), .number = number->value});
+        variable.values.push_back({.written = written_value(node, text_), .number = number->value});
       } else {
         continue;
       }
@@ -86,11 +86,6 @@ class SweepReader {
     if (node.is_boolean()) return true;
     const auto* const string = node.as_string();
     return string != nullptr && is_word(trim(string->get())) && !values_.evaluator().number(string->get());
-  }
-
-  [[nodiscard]] std::string written(const toml::node& node) const {
-    if (const auto* const string = node.as_string()) return std::string(trim(string->get()));
-    return quote(node.source(), text_);
   }
 
   void read_range(const toml::table& range, SweepVariable& variable) {
@@ -142,28 +137,46 @@ size_t Sweep::size() const {
   return size;
 }
 
-void Sweep::define(size_t index, Evaluator& evaluator) const {
+std::vector<size_t> Sweep::values_of(size_t index) const {
+  std::vector<size_t> values(variables.size());
   for (size_t i = variables.size(); i-- > 0;) {
-    const SweepVariable& variable = variables[i];
-    const SweepValue& value = variable.values[index % variable.values.size()];
-    index /= variable.values.size();
-    if (variable.is_text) {
-      evaluator.define_text(variable.name, value.written);
+    values[i] = index % variables[i].values.size();
+    index /= variables[i].values.size();
+  }
+  return values;
+}
+
+size_t Sweep::index_of(const std::vector<size_t>& values) const {
+  size_t index = 0;
+  for (size_t i = 0; i < variables.size(); ++i) index = index * variables[i].values.size() + values[i];
+  return index;
+}
+
+void Sweep::define(size_t index, Evaluator& evaluator) const {
+  const std::vector<size_t> values = values_of(index);
+  for (size_t i = 0; i < variables.size(); ++i) {
+    const SweepValue& value = variables[i].values[values[i]];
+    if (variables[i].is_text) {
+      evaluator.define_text(variables[i].name, value.written);
     } else {
-      evaluator.define(variable.name, value.number);
+      evaluator.define(variables[i].name, value.number);
     }
   }
 }
 
 std::string Sweep::suffix(size_t index) const {
+  if (variables.empty()) return {};
+  const std::vector<size_t> values = values_of(index);
   std::string suffix;
-  for (size_t i = variables.size(); i-- > 0;) {
-    const SweepVariable& variable = variables[i];
-    const SweepValue& value = variable.values[index % variable.values.size()];
-    index /= variable.values.size();
-    suffix = fmt::format("{}={}{}{}", variable.name, value.written, suffix.empty() ? "" : ",", suffix);
+  for (size_t i = 0; i < variables.size(); ++i) {
+    suffix += fmt::format("{}{}={}", i == 0 ? "" : ",", variables[i].name, variables[i].values[values[i]].written);
   }
-  return suffix.empty() ? suffix : fmt::format("[{}]", suffix);
+  return fmt::format("[{}]", suffix);
+}
+
+std::string written_value(const toml::node& node, std::string_view text) {
+  if (const auto* const string = node.as_string()) return std::string(trim(string->get()));
+  return quote(node.source(), text);
 }
 
 Sweep read_sweep(const toml::table& root, std::string_view text, Evaluator& evaluator, Diagnostics& diagnostics) {

@@ -30,11 +30,18 @@ struct Sweep {
 
   // The number of combinations; the last variable runs fastest.
   [[nodiscard]] size_t size() const;
+  // For each variable the number of its value in combination `index`.
+  [[nodiscard]] std::vector<size_t> values_of(size_t index) const;
+  // The combination of these values: the inverse of values_of().
+  [[nodiscard]] size_t index_of(const std::vector<size_t>& values) const;
   // Gives the variables their values of combination `index`.
   void define(size_t index, Evaluator& evaluator) const;
   // "[angle=30,cull=back]"; empty without variables.
   [[nodiscard]] std::string suffix(size_t index) const;
 };
+
+// A value as it is written in the file, whose whole text is `text`.
+std::string written_value(const toml::node& node, std::string_view text);
 
 // `text` is the whole file, from which values are quoted. Variables that cannot be read are left out, with an error.
 Sweep read_sweep(const toml::table& root, std::string_view text, Evaluator& evaluator, Diagnostics& diagnostics);

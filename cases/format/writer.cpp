@@ -63,6 +63,8 @@ void write_head(const Case& one, Writer& out) {
   out.line("spec = {}", quoted(one.spec));
   out.line("origin = {}", quoted(one.origin));
   out.line("tags = [{}]", fmt::join(tags, ", "));
+  if (!one.control.empty()) out.line("control = {}", quoted(one.control));
+  if (one.effect != Effect::kDifferent) out.line("expect = \"{}\"", enum_name(kEffects, one.effect));
   if (one.opt_outs.empty()) return;
   out.line("\n[opt_out]");
   for (const OptOut& opt_out : one.opt_outs) out.line("{} = {}", opt_out.check, quoted(opt_out.reason));

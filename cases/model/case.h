@@ -128,6 +128,9 @@ struct OptOut {
   bool operator==(const OptOut&) const = default;
 };
 
+// What a case shows beside its control: another picture, the same samples covered as often, or none at all.
+enum class Effect : uint8_t { kDifferent, kSame, kNothing };
+
 struct Case {
   // The head. `name` is the file's path below the suite's folder without its ending, then the sweep's values:
   // "clipping/near_plane[angle=30]".
@@ -138,6 +141,10 @@ struct Case {
   std::string spec;
   std::string origin;
   std::vector<std::string> tags;
+  // The name of the case that differs from this one in nothing but what is tested. Empty: none is named, or this case
+  // is the control of others in its file.
+  std::string control;
+  Effect effect = Effect::kDifferent;
   std::vector<OptOut> opt_outs;
 
   Target target;

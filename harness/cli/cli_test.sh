@@ -49,6 +49,13 @@ expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candi
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
 expect 0 'lavapipe' "$fillrule" devices
+expect 0 'own/cases/topic/a_case.toml' "$fillrule" new topic/a_case --folder own/cases
+expect 2 'is there already' "$fillrule" new topic/a_case --folder own/cases
+expect 2 '"a_case" is no name for a case' "$fillrule" new a_case --folder own/cases
+expect 0 '3 passed' "$fillrule" run topic/a_case --suite own/cases --reference oracle
+expect 2 "title is still the template's" "$fillrule" check own/cases/topic/a_case.toml
+expect 2 '1 file, 3 findings' "$fillrule" check 'topic/a_case[shift=1]' --suite own/cases
+expect 0 '2 files, 0 findings' "$fillrule" check coverage/shared_diagonal coverage/last_pixel
 expect 0 'gl_PointCoord' "$fillrule" features
 expect 0 'Exit codes' "$fillrule" run --help
 cp own/good.toml bare.toml

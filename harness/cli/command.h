@@ -22,6 +22,8 @@ void add_devices(CLI::App& app, int& exit_code);
 void add_features(CLI::App& app, int& exit_code);
 void add_stress(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
+void add_new(CLI::App& app, int& exit_code);
+void add_check(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
 
 }  // namespace fillrule::cli

@@ -19,7 +19,7 @@ struct ExplainOptions {
   SuiteOptions suite;
   PartyOptions parties;
   std::string pixel;
-  uint32_t sample = 0;
+  std::optional<uint32_t> sample;
 };
 
 // "X,Y"
@@ -91,7 +91,8 @@ void add_explain(CLI::App& app, int& exit_code) {
   command->get_option("cases")->required();
   add_party_options(*command, options->parties);
   command->add_option("--pixel", options->pixel, "which one, from the top left")->type_name("X,Y")->required();
-  command->add_option("--sample", options->sample, "of the pixel")->capture_default_str();
+  command->add_option("--sample", options->sample, "of the pixel; the one with the gravest verdict unless given")
+      ->type_name("N");
   command->callback([options, &exit_code] { exit_code = run_explain(*options); });
 }
 

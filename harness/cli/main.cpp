@@ -39,6 +39,8 @@ int main(int argc, char** argv) {
     add_features(app, exit_code);
     add_stress(app, exit_code);
     add_explain(app, exit_code);
+    add_new(app, exit_code);
+    add_check(app, exit_code);
     add_exhaust(app, exit_code);
     const std::string given = argc > 1 ? argv[1] : "-";
     if (const auto known = check_command(app, given); !known) {

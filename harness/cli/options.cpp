@@ -15,12 +15,6 @@
 namespace fillrule::cli {
 namespace {
 
-// `cases` below the current folder, or else that of the sources the command was built from.
-std::string default_root() {
-  const std::string here = "cases";
-  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
-}
-
 judge::Profile profile_of(const std::vector<std::string>& names) {
   const auto named = [&names](const char* name) {
     return std::find(names.begin(), names.end(), name) != names.end();
@@ -29,23 +23,6 @@ judge::Profile profile_of(const std::vector<std::string>& names) {
           .diamond_exit = named("diamond_exit"),
           .precise = named("precise"),
           .same_bits = named("same_bits")};
-}
-
-// For a POSIX shell, or for bash where the text has characters that must not reach a terminal.
-std::string shell_quoted(const std::string& text) {
-  const bool plain = report::printable(text) == text;
-  std::string result = plain ? "'" : "$'";
-  for (const char c : text) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (plain) {
-      result += c == '\'' ? "'\\''" : std::string(1, c);
-    } else if (c == '\'' || c == '\\') {
-      result.append("\\").push_back(c);
-    } else {
-      result += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-    }
-  }
-  return result + "'";
 }
 
 bool is_below(const std::string& path, const std::string& folder) {
@@ -84,6 +61,36 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 }
 
 }  // namespace
+
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
+}
+
+std::string shell_quoted(const std::string& text) {
+  const bool plain = report::printable(text) == text;
+  std::string result = plain ? "'" : "$'";
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (plain) {
+      result += c == '\'' ? "'\\''" : std::string(1, c);
+    } else if (c == '\'' || c == '\\') {
+      result.append("\\").push_back(c);
+    } else {
+      result += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
+    }
+  }
+  return result + "'";
+}
+
+std::string case_selector(const std::string& file, const std::string& name, const std::string& root) {
+  const bool in_suite = is_below(file, root);
+  const std::string path = name.substr(0, name.rfind('[')) + ".toml";
+  if (!in_suite && !(name.ends_with(']') && file.ends_with(path))) return shell_quoted(file);
+  std::string folder = in_suite ? root : file.substr(0, file.size() - path.size());
+  if (folder.empty()) folder = ".";
+  return shell_quoted(name) + (folder == default_root() ? "" : " --suite " + shell_quoted(folder));
+}
 
 void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", report::printable_lines(to_string(error)));
@@ -153,16 +160,7 @@ Result<run::SuiteRunner> create_runner(const run::RunOptions& options, int& exit
 }
 
 void add_commands(const SuiteOptions& suite, const run::RunOptions& options, run::CaseResult& result) {
-  const bool in_suite = is_below(result.file, suite.root);
-  // One case of a sweep has to be named. A case of another folder than the suite's is named from there.
-  const std::string path = result.name.substr(0, result.name.rfind('[')) + ".toml";
-  const bool named_by_path = result.name.ends_with(']') && result.file.ends_with(path);
-  if (!in_suite && !named_by_path) return add_commands_for(shell_quoted(result.file), options, result);
-  std::string root = in_suite ? suite.root : result.file.substr(0, result.file.size() - path.size());
-  if (root.empty()) root = ".";
-  std::string selector = shell_quoted(result.name);
-  if (root != default_root()) selector += " --suite " + shell_quoted(root);
-  add_commands_for(selector, options, result);
+  add_commands_for(case_selector(result.file, result.name, suite.root), options, result);
 }
 
 void add_commands(const run::RunOptions& options, run::CaseResult& result) {

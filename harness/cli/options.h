@@ -14,6 +14,16 @@ namespace fillrule::cli {
 
 void print_error(const Error& error);
 
+// `cases` below the current folder, or else that of the sources the command was built from.
+std::string default_root();
+
+// In single quotes for a POSIX shell, or for bash where the text has characters that must not reach a terminal.
+std::string shell_quoted(const std::string& text);
+
+// What names a case on a command line, quoted: by its name where its file is below `root`; else by the file, or, as
+// one of a sweep has to be named, by the name from the folder that it is told from.
+std::string case_selector(const std::string& file, const std::string& name, const std::string& root);
+
 // Which cases.
 struct SuiteOptions {
   std::vector<std::string> selectors;  // cases, files, folders, globs

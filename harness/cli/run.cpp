@@ -16,7 +16,9 @@
 #include "harness/run/counted.h"
 #include "harness/run/deviations.h"
 #include "harness/run/merge.h"
+#include "harness/run/stopwatch.h"
 #include "harness/terminal/text.h"
+#include "harness/terminal/timing_text.h"
 
 namespace fillrule::cli {
 namespace {
@@ -77,7 +79,6 @@ void print_summary(const RunCommandOptions& options, const run::RunResult& resul
                    const run::DeviationReport& deviations) {
   fmt::print("{}", terminal::summary_text(result, stdout_style(options.wishes)));
   fmt::print("{}", terminal::deviations_text(result, deviations));
-  if (options.parties.run.measure_alone) fmt::print("{}", terminal::timing_text(result));
 }
 
 // Pictures of every case at fault, drawn once more: whoever draws the same case twice gets the same bytes.
@@ -146,7 +147,11 @@ int run_against(const RunCommandOptions& options, const run::RunOptions& run_opt
   if (shard.total > 1) deviations.gone.clear();
   tell_cases(options, run_options.profile, *runner, cases, result, deviations);
   print_summary(options, result, deviations);
+  const run::Stopwatch writing;
   const bool written = write_report(options, *runner, cases, result, deviations);
+  if (run_options.measure_alone) {
+    fmt::print("{}", terminal::timing_text(result.timing, result.summary.cases, writing.seconds()));
+  }
   for (const std::string& message : runner->validation_messages()) fmt::print(stderr, "validation: {}\n", message);
   if (!written || !known) return kBadInput;
   return has_failed(result, deviations, options.strict_reference) ? kMismatch : kConforms;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "cases/model/case.h"
@@ -20,7 +21,7 @@ struct NamedParty {
 struct SampleId {
   uint32_t x = 0;  // pixel
   uint32_t y = 0;
-  uint32_t sample = 0;
+  std::optional<uint32_t> sample;  // none: the one with the gravest verdict, the first among equals
 };
 
 // `reference` may be null. A sample outside of the target is an error.

@@ -173,8 +173,10 @@ TEST(Explain, ReasonsOfOtherFaults) {
             "The candidate hits the sample 2 times where once is right: candidate fault.\n");
   EXPECT_EQ(reason([](Planes& planes, size_t index) { planes.owner[index] = 7; }),
             "The candidate shows primitive 7 where primitive 0 is right: candidate fault.\n");
-  EXPECT_EQ(reason([](Planes& planes, size_t index) { planes.front_facing[index] ^= 1U; }),
-            "The candidate takes primitive 0 for front-facing: candidate fault.\n");
+  EXPECT_EQ(
+      reason([](Planes& planes, size_t index) { planes.front_facing[index] ^= 1U; }),
+      "The candidate takes primitive 0 for front-facing, which is clockwise in the framebuffer and back-facing: "
+      "candidate fault.\n");
   EXPECT_EQ(reason([](Planes& planes, size_t index) { planes.depth[index] = std::nanf(""); }),
             "The candidate's depth is nan, far from the exact 0.447916667: candidate fault.\n");
 }
@@ -226,7 +228,7 @@ TEST(Explain, ASampleOutsideOfTheTargetIsAnError) {
   EXPECT_EQ(pixel.error().hint, "X is 0 to 15, Y is 0 to 15");
   const auto second_sample = explain(one, party, nullptr, {}, {.x = 1, .y = 2, .sample = 1});
   ASSERT_FALSE(second_sample);
-  EXPECT_EQ(second_sample.error().what, "sample 1 is not in a target of 1 samples per pixel");
+  EXPECT_EQ(second_sample.error().what, "sample 1 is not in a target of 1 sample per pixel");
 }
 
 }  // namespace

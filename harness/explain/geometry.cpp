@@ -1,3 +1,4 @@
+// What bounds a primitive at a sample; lines and points are in shapes.cpp.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -38,15 +39,15 @@ void add_edges(const Piece& piece, double x, double y, double scale, std::vector
   }
 }
 
-// The planes that a vertex is outside of.
+// The near and far planes, where a vertex is outside of them.
 void add_depth_planes(const Piece& piece, double x, double y, double scale, std::vector<Boundary>& boundaries) {
   const exact::Triangle& triangle = *piece.triangle();
-  if (triangle.orientation() == 0) return;
+  if (triangle.orientation() == 0 || !triangle.volume().depth_clip) return;
   std::array<double, 3> near{};
   std::array<double, 3> far{};
   for (size_t i = 0; i < 3; ++i) {
-    near[i] = double{triangle.vertices()[i][2]};
-    far[i] = triangle.w(i) - near[i];
+    near[i] = triangle.near_distance(i);
+    far[i] = triangle.w(i) - double{triangle.vertices()[i][2]};
   }
   const auto add = [&](const std::array<double, 3>& q, int number, Boundary::Kind kind, const char* name) {
     if (std::ranges::none_of(q, [](double value) { return value < 0; })) return;
@@ -61,69 +62,101 @@ void add_depth_planes(const Piece& piece, double x, double y, double scale, std:
   add(far, exact::kFar, Boundary::Kind::kFar, "the far plane");
 }
 
-// The side that the sample is furthest out of, or nearest to.
-Boundary viewport_side(const Piece& piece, double x, double y, double scale) {
-  const VkViewport& viewport = piece.triangle()->viewport();
-  const auto left = double{viewport.x};
-  const double right = left + double{viewport.width};
-  const auto one = double{viewport.y};
-  const double other = one + double{viewport.height};
-  struct Side {
-    const char* name;
-    double distance;  // pixels
-    double latitude;
-    std::array<double, 3> form;
-  };
-  const double half_width = double{viewport.width} / 2;
-  const double half_height = std::abs(double{viewport.height}) / 2;
-  const std::array<Side, 4> sides{
-      {{"the viewport's left side", x - left, piece.latitude.x, {1, 0, half_width}},
-       {"the viewport's right side", right - x, piece.latitude.x, {-1, 0, half_width}},
-       {"the viewport's top", y - std::min(one, other), piece.latitude.y, {0, 1, half_height}},
-       {"the viewport's bottom", std::max(one, other) - y, piece.latitude.y, {0, -1, half_height}}}};
-  const Side& side = *std::ranges::min_element(sides, {}, &Side::distance);
-  return {.kind = Boundary::Kind::kViewport,
-          .name = side.name,
-          .form = side.form,
-          .value = side.distance,
-          .distance = side.distance * scale,
-          .latitude = side.latitude * scale,
-          .answer = exact::exact_viewport_classification(viewport, x, y, piece.latitude)};
+void add_clip_planes(const Piece& piece, double x, double y, double scale, std::vector<Boundary>& boundaries) {
+  const exact::Triangle& triangle = *piece.triangle();
+  const double dx = x - triangle.centre_x();
+  const double dy = y - triangle.centre_y();
+  for (const exact::Triangle::ClipPlane& plane : triangle.clip_planes()) {
+    const exact::LinearForm& form = plane.form;
+    const double length = std::hypot(form.a, form.b);
+    if (length == 0) continue;
+    Boundary boundary{.kind = Boundary::Kind::kClipDistance,
+                      .name = fmt::format("clip distance {}", plane.number),
+                      .form = {form.a, form.b, form.c},
+                      .value = form.at(dx, dy)};
+    boundary.distance = boundary.value / length * scale;
+    boundary.latitude = triangle.clip_reach(plane, dx, dy, piece.latitude) / length * scale;
+    boundary.answer = answer_of(boundary.distance, boundary.latitude);
+    boundaries.push_back(std::move(boundary));
+  }
 }
 
-bool contains(const VkRect2D& scissor, double x, double y) {
+// The side of a rectangle that the sample is furthest out of, or nearest to.
+struct Side {
+  const char* name = nullptr;
+  double distance = 0;  // pixels, positive inside
+  bool of_x = true;
+  std::array<double, 2> normal{};
+};
+Side nearest_side(double left, double top, double right, double bottom, double x, double y) {
+  const std::array<Side, 4> sides{{{"left side", x - left, true, {1, 0}},
+                                   {"right side", right - x, true, {-1, 0}},
+                                   {"top", y - top, false, {0, 1}},
+                                   {"bottom", bottom - y, false, {0, -1}}}};
+  return *std::ranges::min_element(sides, {}, &Side::distance);
+}
+
+Boundary viewport_side(const VkViewport& viewport, const exact::Latitude& latitude, double x, double y,
+                       double scale) {
+  const double one{viewport.y};
+  const double other = one + double{viewport.height};
+  const double left{viewport.x};
+  const Side side =
+      nearest_side(left, std::min(one, other), left + double{viewport.width}, std::max(one, other), x, y);
+  const double half = side.of_x ? double{viewport.width} / 2 : std::abs(double{viewport.height}) / 2;
+  return {.kind = Boundary::Kind::kViewport,
+          .name = fmt::format("the viewport's {}", side.name),
+          .form = {side.normal[0], side.normal[1], half},
+          .value = side.distance,
+          .distance = side.distance * scale,
+          .latitude = (side.of_x ? latitude.x : latitude.y) * scale,
+          .answer = exact::exact_viewport_classification(viewport, x, y, latitude)};
+}
+
+// Only where the scissor is less than the target: it is a rectangle of whole pixels, and nothing is rounded.
+std::optional<Boundary> scissor_side(const Case& test_case, const Piece& piece, double x, double y, double scale) {
+  const VkRect2D& scissor = test_case.draws[piece.draw].state.scissor;
   const double left = scissor.offset.x;
   const double top = scissor.offset.y;
-  return x > left && x < left + static_cast<double>(scissor.extent.width) && y > top &&
-         y < top + static_cast<double>(scissor.extent.height);
+  const double right = left + static_cast<double>(scissor.extent.width);
+  const double bottom = top + static_cast<double>(scissor.extent.height);
+  if (left <= 0 && top <= 0 && right >= test_case.target.width && bottom >= test_case.target.height) return {};
+  const VkViewport& viewport = test_case.draws[piece.draw].state.viewport;
+  const Side side = nearest_side(left, top, right, bottom, x, y);
+  const double centre =
+      side.of_x ? double{viewport.x} + double{viewport.width} / 2 : double{viewport.y} + double{viewport.height} / 2;
+  const double from_centre =
+      side.distance - (side.normal[0] * x + side.normal[1] * y) + (side.normal[0] + side.normal[1]) * centre;
+  return Boundary{.kind = Boundary::Kind::kScissor,
+                  .name = fmt::format("the scissor's {}", side.name),
+                  .form = {side.normal[0], side.normal[1], from_centre},
+                  .value = side.distance,
+                  .distance = side.distance * scale,
+                  .answer = side.distance > 0 ? exact::Coverage::kMust : exact::Coverage::kMustNot};
 }
 
 }  // namespace
 
-PrimitiveFacts facts_of(const Case& test_case, const exact::Expectation& expectation, uint32_t number, double x,
-                        double y, uint32_t subpixel_bits) {
-  const Piece& piece = expectation.pieces()[number];
-  const exact::Triangle& triangle = *piece.triangle();
-  const RasterState& state = test_case.draws[piece.draw].state;
-  const auto culls = piece.front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
-  PrimitiveFacts facts{.number = piece.owner,
-                       .draw = piece.draw,
-                       .vertices = piece.vertices,
-                       .orientation = triangle.orientation(),
-                       .front_facing = piece.front_facing,
-                       .facing_in_doubt = piece.facing_in_doubt,
-                       .undefined = triangle.undefined(),
-                       .thin = piece.thin,
-                       .clipped = !triangle.inside_volume(),
-                       .culled = (state.cull_mode & culls) != 0,
-                       .scissored = !contains(state.scissor, x, y)};
-  facts.coverage = triangle.classify(x, y, piece.latitude);
-  if (facts.undefined) return facts;
+exact::Coverage answer_of(double distance, double latitude) {
+  if (distance > latitude) return exact::Coverage::kMust;
+  return distance < -latitude ? exact::Coverage::kMustNot : exact::Coverage::kMay;
+}
+
+void add_boundaries(const Case& test_case, const Piece& piece, double x, double y, uint32_t subpixel_bits,
+                    PrimitiveFacts& facts) {
+  if (facts.undefined || piece.kind == Piece::Kind::kClipEdges) return;
   const double scale = std::ldexp(1.0, static_cast<int>(subpixel_bits));
-  add_edges(piece, x, y, scale, facts.boundaries);
-  add_depth_planes(piece, x, y, scale, facts.boundaries);
-  facts.boundaries.push_back(viewport_side(piece, x, y, scale));
-  return facts;
+  if (piece.kind == Piece::Kind::kTriangle) {
+    add_edges(piece, x, y, scale, facts.boundaries);
+    add_depth_planes(piece, x, y, scale, facts.boundaries);
+    add_clip_planes(piece, x, y, scale, facts.boundaries);
+  } else {
+    add_shape_boundaries(test_case, piece, x, y, subpixel_bits, facts);
+  }
+  const VkViewport& viewport = test_case.draws[piece.draw].state.viewport;
+  facts.boundaries.push_back(viewport_side(viewport, piece.latitude, x, y, scale));
+  std::optional<Boundary> scissor = scissor_side(test_case, piece, x, y, scale);
+  if (scissor) facts.boundaries.push_back(*std::move(scissor));
 }
 
 const Boundary* PrimitiveFacts::deciding() const {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <bit>
-#include <memory>
+#include <optional>
 
 #include "harness/judge/row_judge.h"
 #include "harness/judge/standing.h"
@@ -12,24 +12,34 @@ namespace {
 
 using Class = Standing::Class;
 
+// What is exact for all parties of equal subpixel bits.
+struct ExactAnswers {
+  const exact::Expectation& expectation;
+  ValueCache values;
+  RowJudge rows;
+
+  ExactAnswers(const Case& test_case, const exact::Expectation& expected)
+      : expectation(expected), values(test_case, expected), rows(test_case, expected, values) {}
+};
+
 // A party with everything that judging it takes.
 struct Judged {
   const Party& party;
-  const exact::Expectation& expectation;
-  ValueCache values;
+  ExactAnswers& answers;
   Replay replay;
   PartyJudge judge;
-  RowJudge rows;
   const Possibilities* possible = nullptr;
 
-  Judged(const Case& test_case, const Party& judged, const exact::Expectation& expected, Replay::Rules rules)
+  Judged(const Case& test_case, const Party& judged, ExactAnswers& exact_answers, Replay::Rules rules)
       : party(judged),
-        expectation(expected),
-        values(test_case, expected),
-        replay(test_case, expected, values, judged.subpixel_bits, rules),
-        judge(test_case, *judged.planes, expected, values),
-        rows(test_case, *judged.planes, expected, values) {}
+        answers(exact_answers),
+        replay(test_case, answers.expectation, answers.values, judged.subpixel_bits, rules),
+        judge(test_case, *judged.planes, answers.expectation, answers.values) {}
 };
+
+bool is_value(PlaneKind kind) {
+  return kind == PlaneKind::kDepth || kind == PlaneKind::kVarying;
+}
 
 // One plane of a party, whatever its type.
 struct PlaneValue {
@@ -121,10 +131,9 @@ class CaseJudge {
     if (settings_.keep_maps) {
       for (PlaneVerdict& plane : verdict.planes) plane.map.assign(verdict.samples, Verdict::kIdentical);
     }
+    const size_t row = size_t{planes.width} * planes.samples;
     for (size_t begin = 0; begin < verdict.samples;) {
-      const size_t row = size_t{planes.width} * planes.samples;
-      const size_t row_end = begin - begin % row + row;
-      const size_t end = end_of_run(begin, row_end);
+      const size_t end = end_of_run(begin, row);
       judge_run(verdict, begin, end);
       begin = end;
     }
@@ -132,52 +141,76 @@ class CaseJudge {
   }
 
  private:
-  // Samples [begin, end) of a row about which both oracles say the same.
-  [[nodiscard]] size_t end_of_run(size_t begin, size_t row_end) const {
-    const auto& sole = candidate_.expectation.sole();
-    const auto& sole_reference = reference_ != nullptr ? reference_->expectation.sole() : sole;
+  [[nodiscard]] bool has_reference() const { return reference_ != nullptr; }
+  // Whether what is exact for the candidate is not the same for the reference.
+  [[nodiscard]] bool reference_differs() const {
+    return has_reference() && &reference_->answers != &candidate_.answers;
+  }
+
+  // Samples [begin, end) about which both oracles say the same: of one row, unless nothing lands there.
+  [[nodiscard]] size_t end_of_run(size_t begin, size_t row) const {
+    const std::vector<uint32_t>& sole = candidate_.answers.expectation.sole();
+    const std::vector<uint32_t>& other = has_reference() ? reference_->answers.expectation.sole() : sole;
+    const bool nothing = sole[begin] == exact::kNothing && other[begin] == exact::kNothing;
+    const size_t limit = nothing ? sole.size() : begin - begin % row + row;
     size_t end = begin + 1;
-    while (end < row_end && sole[end] == sole[begin] && sole_reference[end] == sole_reference[begin]) ++end;
+    while (end < limit && sole[end] == sole[begin] && other[end] == other[begin]) ++end;
     return end;
   }
 
+  // Whether the run's outcome is certain for both parties, and the same.
+  bool start_bulk(size_t begin, size_t end) {
+    const uint32_t sole = candidate_.answers.expectation.sole()[begin];
+    if (sole == exact::kSeveral || !candidate_.answers.rows.start(sole, begin, end)) return false;
+    return !reference_differs() || (reference_->answers.expectation.sole()[begin] == sole &&
+                                    reference_->answers.rows.start(sole, begin, end));
+  }
+
   void judge_run(CaseVerdict& verdict, size_t begin, size_t end) {
-    const uint32_t sole = candidate_.expectation.sole()[begin];
-    const bool agreed = reference_ == nullptr || reference_->expectation.sole()[begin] == sole;
-    const bool in_bulk = agreed && sole != exact::kSeveral && candidate_.rows.start(sole, begin, end) &&
-                         (reference_ == nullptr || reference_->rows.start(sole, begin, end));
-    if (in_bulk && sole != exact::kNothing) verdict.covered_samples += end - begin;
-    size_t open = 0;  // planes that have to be judged sample by sample
-    std::vector<bool>& is_open = open_planes_;
-    is_open.assign(verdict.planes.size(), true);
-    for (size_t p = 0; p < verdict.planes.size(); ++p) {
-      is_open[p] = !in_bulk || settings_.keep_maps || !judge_plane_run(verdict.planes[p], begin, end);
-      open += is_open[p] ? 1 : 0;
+    const bool in_bulk = start_bulk(begin, end);
+    if (in_bulk && candidate_.answers.expectation.sole()[begin] != exact::kNothing) {
+      verdict.covered_samples += end - begin;
     }
-    if (in_bulk && open == 0) return;
+    const bool try_bulk = in_bulk && !settings_.keep_maps;
+    const bool integers = try_bulk && integers_right();
+    size_t open = 0;  // planes that have to be judged sample by sample
+    open_planes_.assign(verdict.planes.size(), 0);
+    for (size_t p = 0; p < verdict.planes.size(); ++p) {
+      PlaneVerdict& plane = verdict.planes[p];
+      const bool right = is_value(plane.kind) ? try_bulk && judge_values(plane, end - begin) : integers;
+      if (right && !is_value(plane.kind)) count(plane, Verdict::kIdentical, end - begin);
+      open_planes_[p] = right ? 0 : 1;
+      open += right ? 0 : 1;
+    }
+    if (open == 0) return;
     for (size_t index = begin; index < end; ++index) judge_sample(verdict, index, !in_bulk);
   }
 
-  // A whole run of one plane, where every value of both parties is well within its tolerance; false where it is not.
-  bool judge_plane_run(PlaneVerdict& plane, size_t begin, size_t end) {
-    uint64_t identical = end - begin;
-    if (plane.kind == PlaneKind::kDepth || plane.kind == PlaneKind::kVarying) {
-      std::vector<uint8_t>& equal = equal_;
-      equal.assign(end - begin, 1);
-      for (uint32_t c = plane.first_component; c < plane.first_component + plane.components; ++c) {
-        if (!candidate_.rows.within(plane.kind, c) ||
-            (reference_ != nullptr && !reference_->rows.within(plane.kind, c))) {
-          return false;
-        }
-        const float* const other = reference_ != nullptr ? reference_->rows.values(plane.kind, c) : nullptr;
-        candidate_.rows.mark_equal(plane.kind, c, other, equal);
-      }
-      identical = static_cast<uint64_t>(std::count(equal.begin(), equal.end(), 1));
-    } else if (!candidate_.rows.integers_right() || (reference_ != nullptr && !reference_->rows.integers_right())) {
-      return false;
+  static void count(PlaneVerdict& plane, Verdict verdict, uint64_t samples) {
+    plane.counts[static_cast<size_t>(verdict)] += samples;
+  }
+
+  [[nodiscard]] bool integers_right() const {
+    return candidate_.answers.rows.integers_right(*candidate_.party.planes) &&
+           (!has_reference() || reference_->answers.rows.integers_right(*reference_->party.planes));
+  }
+
+  // The run of one plane of values, where every value of both parties is well within its tolerance; false where it is
+  // not.
+  bool judge_values(PlaneVerdict& plane, size_t size) {
+    const Planes& planes = *candidate_.party.planes;
+    const Planes* const other = has_reference() ? reference_->party.planes : nullptr;
+    RowJudge& rows = candidate_.answers.rows;
+    marks_.assign(size, 0);
+    for (uint32_t c = plane.first_component; c < plane.first_component + plane.components; ++c) {
+      if (!rows.expect(plane.kind, c) || !rows.within(planes)) return false;
+      if (reference_differs() && !reference_->answers.rows.expect(plane.kind, c)) return false;
+      if (other != nullptr && !reference_->answers.rows.within(*other)) return false;
+      rows.mark_different(planes, other, marks_);
     }
-    plane.counts[static_cast<size_t>(Verdict::kIdentical)] += identical;
-    plane.counts[static_cast<size_t>(Verdict::kPermitted)] += end - begin - identical;
+    const auto identical = static_cast<uint64_t>(std::count(marks_.begin(), marks_.end(), 0U));
+    count(plane, Verdict::kIdentical, identical);
+    count(plane, Verdict::kPermitted, size - identical);
     return true;
   }
 
@@ -189,7 +222,7 @@ class CaseJudge {
     verdict.may_samples += possible.in_doubt ? 1 : 0;
     verdict.undefined_samples += possible.undefined ? 1 : 0;
     for (size_t p = 0; p < verdict.planes.size(); ++p) {
-      if (!open_planes_[p]) continue;
+      if (open_planes_[p] == 0) continue;
       PlaneVerdict& plane = verdict.planes[p];
       SampleRecord sample = judge_component(plane.kind, plane.first_component, index);
       for (uint32_t c = 1; c < plane.components; ++c) {
@@ -239,7 +272,7 @@ class CaseJudge {
     if (!settings_.profile.same_bits || candidate_.party.subpixel_bits != reference_->party.subpixel_bits)
       return false;
     if (kind != PlaneKind::kCoverage && kind != PlaneKind::kHits && kind != PlaneKind::kOwner) return false;
-    const exact::Expectation& expectation = candidate_.expectation;
+    const exact::Expectation& expectation = candidate_.answers.expectation;
     std::vector<exact::Entry> entries;
     expectation.collect(index, entries);
     for (const exact::Entry& entry : entries) {
@@ -262,23 +295,32 @@ class CaseJudge {
   Judged& candidate_;
   Judged* reference_;
   const Settings& settings_;
-  std::vector<bool> open_planes_;
-  std::vector<uint8_t> equal_;
+  std::vector<uint8_t> open_planes_;
+  std::vector<uint32_t> marks_;
 };
 
 }  // namespace
 
-CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings) {
-  const exact::Expectation for_candidate(test_case, candidate.subpixel_bits);
+Oracle::Oracle(const Case& test_case, uint32_t candidate_bits, std::optional<uint32_t> reference_bits)
+    : for_candidate_(test_case, candidate_bits) {
+  if (reference_bits && *reference_bits != candidate_bits) for_reference_.emplace(test_case, *reference_bits);
+}
+
+CaseVerdict judge(const Case& test_case, const Oracle& oracle, const Party& candidate, const Party* reference,
+                  const Settings& settings) {
+  ExactAnswers for_candidate(test_case, oracle.for_candidate());
   Judged judged_candidate(test_case, candidate, for_candidate,
                           {.top_left = settings.profile.top_left, .diamond_exit = settings.profile.diamond_exit});
   if (reference == nullptr) return CaseJudge(test_case, judged_candidate, nullptr, settings).run();
-  std::unique_ptr<exact::Expectation> for_reference;
-  if (reference->subpixel_bits != candidate.subpixel_bits) {
-    for_reference = std::make_unique<exact::Expectation>(test_case, reference->subpixel_bits);
-  }
+  std::optional<ExactAnswers> for_reference;
+  if (&oracle.for_reference() != &oracle.for_candidate()) for_reference.emplace(test_case, oracle.for_reference());
   Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, {});
   return CaseJudge(test_case, judged_candidate, &judged_reference, settings).run();
+}
+
+CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings) {
+  const std::optional<uint32_t> bits = reference != nullptr ? std::optional(reference->subpixel_bits) : std::nullopt;
+  return judge(test_case, Oracle(test_case, candidate.subpixel_bits, bits), candidate, reference, settings);
 }
 
 }  // namespace fillrule::judge

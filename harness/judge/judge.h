@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "cases/model/case.h"
 #include "cases/model/planes.h"
 #include "harness/judge/verdict.h"
+#include "reference/exact/expectation.h"
 
 namespace fillrule::judge {
 
@@ -34,8 +36,29 @@ struct Settings {
   bool keep_maps = false;  // fill PlaneVerdict::map and worst_samples
 };
 
+// What a case must and may cover, for parties of given subpixel bits.
+class Oracle {
+ public:
+  // `reference_bits` where there is a reference.
+  Oracle(const Case& test_case, uint32_t candidate_bits, std::optional<uint32_t> reference_bits);
+
+  [[nodiscard]] const exact::Expectation& for_candidate() const { return for_candidate_; }
+  // The same object where the bits are equal.
+  [[nodiscard]] const exact::Expectation& for_reference() const {
+    return for_reference_ ? *for_reference_ : for_candidate_;
+  }
+
+ private:
+  exact::Expectation for_candidate_;
+  std::optional<exact::Expectation> for_reference_;
+};
+
 // `reference` may be null: the candidate is then held against the oracle alone, and "identical" means equal to the
 // exact value rounded to float32.
 CaseVerdict judge(const Case& test_case, const Party& candidate, const Party* reference, const Settings& settings);
+
+// The same with an oracle of the case, made for the parties' subpixel bits.
+CaseVerdict judge(const Case& test_case, const Oracle& oracle, const Party& candidate, const Party* reference,
+                  const Settings& settings);
 
 }  // namespace fillrule::judge

@@ -74,83 +74,101 @@ RowJudge::Landing RowJudge::landing_of(uint32_t number) {
 }
 
 bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
-  if (sole != exact::kNothing && landing_of(sole) != Landing::kCertain) return false;
-  // Several samples of a pixel are asked one by one.
-  if (sole != exact::kNothing && planes_.samples > 1) return false;
+  if (sole != exact::kNothing) {
+    if (landing_of(sole) != Landing::kCertain) return false;
+    // Several samples of a pixel are asked one by one.
+    if (case_.target.samples != VK_SAMPLE_COUNT_1_BIT) return false;
+    const exact::Position position = exact::sample_place(case_.target, begin).position;
+    x_ = position.x;
+    y_ = position.y;
+  }
   sole_ = sole;
   begin_ = begin;
   size_ = end - begin;
-  const exact::Position position = exact::sample_place(case_.target, begin).position;
-  x_ = position.x;
-  y_ = position.y;
   has_w_ = false;
-  w_.resize(size_);
-  expected_.resize(size_);
-  least_.resize(size_);
   return true;
 }
 
-bool RowJudge::integers_right() const {
+bool RowJudge::integers_right(const Planes& planes) const {
   const bool nothing = sole_ == exact::kNothing;
   const uint32_t hits = nothing ? 0 : 1;
   const uint32_t owner = nothing ? kNoOwner : expectation_.pieces()[sole_].owner;
   const uint32_t front_facing = !nothing && expectation_.pieces()[sole_].front_facing ? 1 : 0;
   uint32_t difference = 0;
   for (size_t i = begin_; i < begin_ + size_; ++i) {
-    difference |= (planes_.hits[i] ^ hits) | (planes_.owner[i] ^ owner) | (planes_.front_facing[i] ^ front_facing);
+    difference |= (planes.hits[i] ^ hits) | (planes.owner[i] ^ owner) | (planes.front_facing[i] ^ front_facing);
   }
   return difference == 0;
 }
 
-bool RowJudge::depth_within(const float* row) {
+bool RowJudge::expect(PlaneKind kind, uint32_t component) {
+  kind_ = kind;
+  component_ = component;
+  constant_.reset();
+  if (kind == PlaneKind::kDepth) return expect_depth();
+  return sole_ == exact::kNothing ? expect_constant(0) : expect_varying(component);
+}
+
+bool RowJudge::expect_constant(float value) {
+  constant_ = value;
+  return true;
+}
+
+bool RowJudge::expect_depth() {
   const RasterState* const state =
       sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[sole_].draw].state;
   if (state == nullptr || !state->depth_test || !state->depth_write) {
-    const float clear = exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth});
-    std::fill(expected_.begin(), expected_.end(), double{clear});
-    return all_equal(row, size_, clear);
+    return expect_constant(exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth}));
   }
   if (!has_plain_depth(*state, case_.target.depth_format)) return false;
+  expected_.resize(size_);
+  least_.resize(size_);
   values_.triangle(sole_).depth_row(x_, y_, expected_, least_);
   for (double& depth : expected_) depth = std::clamp(depth, 0.0, 1.0);
-  return all_within(row, expected_, least_);
+  return true;
 }
 
-bool RowJudge::within(PlaneKind kind, uint32_t component) {
-  const float* const row = values(kind, component);
-  if (kind == PlaneKind::kDepth) return depth_within(row);
-  if (sole_ == exact::kNothing) {
-    std::fill(expected_.begin(), expected_.end(), 0.0);
-    return all_equal(row, size_, 0);
-  }
+bool RowJudge::expect_varying(uint32_t component) {
   if (sources_[component].source != VaryingSource::kVertices) return false;
   const exact::TriangleValues& triangle = values_.triangle(sole_);
   const exact::TriangleValues::Component& prepared = triangle.component(sources_[component].number);
-  if (prepared.interpolation == Interpolation::kFlat) {
-    std::fill(expected_.begin(), expected_.end(), double{prepared.provoking});
-    return all_equal(row, size_, prepared.provoking);
-  }
+  if (prepared.interpolation == Interpolation::kFlat) return expect_constant(prepared.provoking);
   if (!prepared.judged) return false;
   if (!has_w_ && prepared.interpolation == Interpolation::kSmooth) {
+    w_.resize(size_);
     triangle.w_row(x_, y_, w_);
     has_w_ = true;
   }
+  expected_.resize(size_);
+  least_.resize(size_);
   triangle.varying_row(prepared, x_, y_, w_, expected_, least_);
-  return all_within(row, expected_, least_);
+  return true;
 }
 
-void RowJudge::mark_equal(PlaneKind kind, uint32_t component, const float* other, std::span<uint8_t> equal) const {
-  const float* const row = values(kind, component);
-  for (size_t i = 0; i < size_; ++i) {
-    const float right = other != nullptr ? other[i] : static_cast<float>(expected_[i]);
-    const bool same =
-        other != nullptr ? std::bit_cast<uint32_t>(row[i]) == std::bit_cast<uint32_t>(right) : row[i] == right;
-    equal[i] = equal[i] != 0 && same ? 1 : 0;
+bool RowJudge::within(const Planes& planes) const {
+  const float* const row = values(planes);
+  return constant_ ? all_equal(row, size_, *constant_) : all_within(row, expected_, least_);
+}
+
+void RowJudge::mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const {
+  const float* const row = values(planes);
+  if (other != nullptr) {
+    const float* const others = values(*other);
+    for (size_t i = 0; i < size_; ++i) {
+      marks[i] |= std::bit_cast<uint32_t>(row[i]) ^ std::bit_cast<uint32_t>(others[i]);
+    }
+    return;
   }
+  if (constant_) {
+    // All values have its bits; NaN is no value.
+    if (std::isnan(*constant_)) std::fill(marks.begin(), marks.end(), 1U);
+    return;
+  }
+  for (size_t i = 0; i < size_; ++i) marks[i] |= row[i] == static_cast<float>(expected_[i]) ? 0U : 1U;
 }
 
-const float* RowJudge::values(PlaneKind kind, uint32_t component) const {
-  return (kind == PlaneKind::kDepth ? planes_.depth.data() : planes_.varyings[component].data()) + begin_;
+const float* RowJudge::values(const Planes& planes) const {
+  return (kind_ == PlaneKind::kDepth ? planes.depth.data() : planes.varyings[component_].data()) + begin_;
 }
 
 }  // namespace fillrule::judge

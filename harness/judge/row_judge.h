@@ -1,9 +1,11 @@
-// One party along a run of samples in a row about which the oracle is certain: either nothing lands there, or one
-// primitive alone. Whole planes are compared at once with the exact values, which is many times faster than asking
-// sample by sample; whatever is not well within its tolerance is left to that.
+// A run of samples in a row about which the oracle is certain: either nothing lands there, or one primitive alone.
+// Whole planes are compared at once with the exact values, which is many times faster than asking sample by sample;
+// whatever is not well within its tolerance is left to that. What is exact is the same for all parties of equal
+// subpixel bits, and worked out once for them.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,37 +17,39 @@ namespace fillrule::judge {
 
 class RowJudge {
  public:
-  RowJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation, ValueCache& values)
+  RowJudge(const Case& test_case, const exact::Expectation& expectation, ValueCache& values)
       : case_(test_case),
-        planes_(planes),
         expectation_(expectation),
         values_(values),
         sources_(component_sources(test_case.varyings)) {}
 
-  // Prepares for samples [begin, end) of one row; `sole` as Expectation::sole() has it, not kSeveral. False if the
-  // outcome is not certain after all: a depth test that may fail, or a primitive whose values are undefined ground.
+  // Prepares for samples [begin, end); `sole` as Expectation::sole() has it, not kSeveral. They are of one row,
+  // unless nothing lands there. False if the outcome is not certain after all: a depth test that may fail, or a
+  // primitive whose values are undefined ground.
   bool start(uint32_t sole, size_t begin, size_t end);
 
-  // Hits, owner and facing are what they have to be, at every sample.
-  [[nodiscard]] bool integers_right() const;
+  // Whether a party's hits, owner and facing are what they have to be, at every sample.
+  [[nodiscard]] bool integers_right(const Planes& planes) const;
 
-  // The values of depth or of one component are all within their tolerance. Remembers the exact values.
-  bool within(PlaneKind kind, uint32_t component);
-
-  // Clears the mark of each sample whose value has other bits than `other`, or, where that is null, is not the exact
-  // value rounded to float32. Follows within() for the same plane.
-  void mark_equal(PlaneKind kind, uint32_t component, const float* other, std::span<uint8_t> equal) const;
-
-  // The party's values, from the run's first sample on.
-  [[nodiscard]] const float* values(PlaneKind kind, uint32_t component) const;
+  // Works out the exact values of depth or of one component, for the functions below. False if only the slow path
+  // can.
+  bool expect(PlaneKind kind, uint32_t component);
+  // A party's values are all within their tolerance.
+  [[nodiscard]] bool within(const Planes& planes) const;
+  // Sets a bit in each sample's mark whose value has other bits than the other party's, or, where there is none, is
+  // not the exact value rounded to float32. Both parties' values must be within their tolerance.
+  void mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const;
 
  private:
   enum class Landing : uint8_t { kUnknown, kCertain, kUncertain };
   Landing landing_of(uint32_t number);
-  bool depth_within(const float* row);
+  bool expect_depth();
+  bool expect_varying(uint32_t component);
+  bool expect_constant(float value);
+  // A party's values, from the run's first sample on.
+  [[nodiscard]] const float* values(const Planes& planes) const;
 
   const Case& case_;
-  const Planes& planes_;
   const exact::Expectation& expectation_;
   ValueCache& values_;
   std::vector<ComponentSource> sources_;
@@ -57,6 +61,10 @@ class RowJudge {
   double y_ = 0;
   bool has_w_ = false;
   std::vector<double> w_;
+  // Of the plane that was asked for last.
+  PlaneKind kind_ = PlaneKind::kDepth;
+  uint32_t component_ = 0;
+  std::optional<float> constant_;  // the exact value of all samples, to the bit
   std::vector<double> expected_;
   std::vector<double> least_;
 };

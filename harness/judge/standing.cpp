@@ -57,7 +57,8 @@ double error_of(float value, const Expected& expected) {
 }
 
 Standing value_standing(float value, const Expected& expected) {
-  Standing standing{.expected = expected.value, .tolerance = expected.tolerance + expected.spread};
+  Standing standing{
+      .expected = expected.value, .tolerance = expected.tolerance + expected.spread, .spread = expected.spread};
   if (value == static_cast<float>(expected.value)) return standing;
   const double error = error_of(value, expected);
   standing.severity = std::isfinite(value) ? error / expected.tolerance : kInfinity;

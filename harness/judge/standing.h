@@ -15,6 +15,7 @@ struct Standing {
   Class level = Class::kExact;
   double expected = 0;   // NaN where several answers are right
   double tolerance = 0;  // infinite where the value is not judged
+  double spread = 0;     // the part of the tolerance within which every value is exact (exact::Expected)
   double severity = 0;   // error / tolerance
 
   [[nodiscard]] bool outside() const { return level == Class::kOutside; }

@@ -86,6 +86,16 @@ Json deviations_json(const run::DeviationReport& deviations) {
           {"gone", std::move(gone)}};
 }
 
+Json timing_json(const run::RunTiming& timing) {
+  return {{"wall_seconds", timing.wall_seconds},
+          {"processor_seconds", timing.processor_seconds},
+          {"reference_seconds", timing.reference_seconds()},
+          {"candidate_seconds", timing.candidate_seconds},
+          {"oracle_seconds", timing.oracle_seconds},
+          {"judge_seconds", timing.judge_seconds},
+          {"check_seconds", timing.check_seconds}};
+}
+
 }  // namespace
 
 std::string to_json(const run::RunResult& result, const run::DeviationReport& deviations) {
@@ -108,18 +118,14 @@ std::string to_json(const run::RunResult& result, const run::DeviationReport& de
               {"name", result.reference.name},
               {"version", result.reference.version},
               {"subpixel_bits", result.reference.subpixel_bits}}},
-            {"timing",
-             {{"reference_seconds", result.timing.reference_seconds},
-              {"candidate_seconds", result.timing.candidate_seconds},
-              {"judge_seconds", result.timing.judge_seconds},
-              {"check_seconds", result.timing.check_seconds}}}};
+            {"timing", timing_json(result.timing.run)}};
   if (result.shard.total > 1) {
     json["shard"] = {
         {"index", result.shard.index}, {"total", result.shard.total}, {"suite_cases", result.shard.suite_cases}};
   }
   if (result.timing.warm) {
-    json["timing"]["warm_suite_seconds"] = result.timing.warm->suite_seconds;
-    json["timing"]["warm_reference_alone_seconds"] = result.timing.warm->reference_alone_seconds;
+    json["timing"]["warm"] = {{"suite", timing_json(result.timing.warm->suite)},
+                              {"reference_alone", timing_json(result.timing.warm->reference_alone)}};
   }
   json["deviations"] = deviations_json(deviations);
   json["cases"] = Json::array();

@@ -1,4 +1,4 @@
-// How the work of a run is handed from one thread to many.
+// Cases on their way from the thread that draws with the reference to those that judge.
 #pragma once
 
 #include <condition_variable>

@@ -118,13 +118,10 @@ Result<RunResult> merge_results(std::span<const NamedResult> parts) {
                    .cases = std::move(*cases)};
   double wall_seconds = 0;
   for (const NamedResult& part : parts) {
-    const Timing& timing = part.result.timing;
-    merged.timing.reference_seconds += timing.reference_seconds;
-    merged.timing.candidate_seconds += timing.candidate_seconds;
-    merged.timing.judge_seconds += timing.judge_seconds;
-    merged.timing.check_seconds += timing.check_seconds;
+    merged.timing.run += part.result.timing.run;
     wall_seconds = std::max(wall_seconds, part.result.summary.wall_seconds);
   }
+  merged.timing.run.wall_seconds = wall_seconds;
   merged.summary = summarise(merged.cases, wall_seconds);
   return merged;
 }

@@ -20,7 +20,7 @@ NamedResult shard(uint32_t index, uint32_t total, const std::vector<std::string>
   part.result.candidate = "renderer";
   part.result.reference = {.driver = "lavapipe", .name = "llvmpipe", .version = "Mesa 1", .subpixel_bits = 8};
   part.result.shard = {.index = index, .total = total, .suite_cases = 5};
-  part.result.timing.judge_seconds = 1 + index;
+  part.result.timing.run.judge_seconds = 1 + index;
   part.result.summary.wall_seconds = 3 - index;
   for (const std::string& name : cases) part.result.cases.push_back({.name = name});
   return part;
@@ -51,7 +51,7 @@ TEST(MergeResults, TheCasesAreInTheOrderOfTheSuite) {
   ASSERT_TRUE(merged) << to_string(merged.error());
   EXPECT_THAT(names(merged->cases), ElementsAre("e", "d", "c", "b", "a"));
   EXPECT_EQ(merged->summary.cases, 5U);
-  EXPECT_EQ(merged->timing.judge_seconds, 3);
+  EXPECT_EQ(merged->timing.run.judge_seconds, 3);
   EXPECT_EQ(merged->summary.wall_seconds, 3);
   EXPECT_EQ(merged->shard.total, 1U);
   EXPECT_EQ(merged->reference.version, "Mesa 1");

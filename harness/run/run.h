@@ -2,12 +2,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "harness/judge/metamorphic.h"
 #include "harness/judge/verdict.h"
+#include "harness/run/timing.h"
 
 namespace fillrule::run {
 
@@ -47,21 +47,6 @@ struct Summary {
   uint64_t reference_faults = 0;
   uint64_t failed_checks = 0;  // metamorphic ones
   double wall_seconds = 0;
-};
-
-// Where the time went. Threads work side by side: the parts add up to more than the whole.
-struct Timing {
-  double reference_seconds = 0;  // drawing and reading back, during the run
-  double candidate_seconds = 0;  // summed over threads
-  double judge_seconds = 0;      // summed over threads
-  double check_seconds = 0;      // the metamorphic checks, summed over threads
-  // The same once more, now that every pipeline is there: the suite, and the reference's drawing and reading back
-  // with nothing else going on, in turn, the median of three each.
-  struct Warm {
-    double suite_seconds = 0;
-    double reference_alone_seconds = 0;
-  };
-  std::optional<Warm> warm;
 };
 
 struct Reference {

@@ -2,19 +2,19 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 
 #include "harness/run/job_queue.h"
 #include "harness/run/reference.h"
+#include "harness/run/stopwatch.h"
 #include "reference/exact/features.h"
 
 namespace fillrule::run {
 namespace {
 
-using Clock = std::chrono::steady_clock;
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
+// By wall time.
+RunTiming median(std::array<RunTiming, 3> timings) {
+  std::ranges::sort(timings, {}, &RunTiming::wall_seconds);
+  return timings[1];
 }
 
 // So many cases are handed to the reference at once: enough to share a submission, few enough that judging starts
@@ -28,14 +28,21 @@ struct SuiteRunner::State {
   Candidate candidate;
   std::optional<vulkan::Reference> reference;
 
-  [[nodiscard]] judge::CaseVerdict judge_case(const Case& test_case, const Planes& candidate_planes,
-                                              const Planes* reference_planes, bool keep_maps) const {
+  [[nodiscard]] judge::Oracle ask_oracle(const Case& test_case, bool with_reference) const {
+    const auto reference_bits =
+        with_reference ? std::optional(reference->device().subpixel_bits) : std::optional<uint32_t>();
+    return {test_case, candidate.subpixel_bits, reference_bits};
+  }
+
+  [[nodiscard]] judge::CaseVerdict judge_case(const Case& test_case, const judge::Oracle& oracle,
+                                              const Planes& candidate_planes, const Planes* reference_planes,
+                                              bool keep_maps) const {
     const judge::Party candidate_party{.planes = &candidate_planes, .subpixel_bits = candidate.subpixel_bits};
     const judge::Settings settings{.profile = options.profile, .keep_maps = keep_maps};
-    if (reference_planes == nullptr) return judge::judge(test_case, candidate_party, nullptr, settings);
+    if (reference_planes == nullptr) return judge::judge(test_case, oracle, candidate_party, nullptr, settings);
     const judge::Party reference_party{.planes = reference_planes,
                                        .subpixel_bits = reference->device().subpixel_bits};
-    return judge::judge(test_case, candidate_party, &reference_party, settings);
+    return judge::judge(test_case, oracle, candidate_party, &reference_party, settings);
   }
 
   // Whether the candidate can draw the case and the oracle judge it.
@@ -46,32 +53,33 @@ struct SuiteRunner::State {
   }
 
   // The candidate's part and the verdict.
-  void finish(const Case& test_case, const Planes* reference_planes, CaseResult& result, Timing& timing) const {
+  void finish(const Case& test_case, const Planes* reference_planes, CaseResult& result, RunTiming& timing) const {
     if (Result<void> can = can_finish(test_case); !can) {
       result.status = Status::kSkipped;
       result.message = to_string(can.error());
       return;
     }
-    const auto start = Clock::now();
+    const Stopwatch whole;
+    ThreadStopwatch stopwatch;
     const Result<Planes> planes = candidate.draw(test_case, 0);
-    const double drawn = seconds_since(start);
-    timing.candidate_seconds += drawn;
+    timing.candidate_seconds += stopwatch.lap();
     if (!planes) {
       result.status = Status::kFailed;
       result.message = "the candidate cannot draw it: " + to_string(planes.error());
       return;
     }
-    result.verdict = judge_case(test_case, *planes, reference_planes, false);
-    const double judged = seconds_since(start);
-    timing.judge_seconds += judged - drawn;
+    const judge::Oracle oracle = ask_oracle(test_case, reference_planes != nullptr);
+    timing.oracle_seconds += stopwatch.lap();
+    result.verdict = judge_case(test_case, oracle, *planes, reference_planes, false);
+    timing.judge_seconds += stopwatch.lap();
     if (options.checks) {
       result.checks = judge::metamorphic_checks(
           test_case,
           {.draw = candidate.draw, .subpixel_bits = candidate.subpixel_bits, .features = candidate.features},
           *planes);
+      timing.check_seconds += stopwatch.lap();
     }
-    result.seconds = seconds_since(start);
-    timing.check_seconds += result.seconds - judged;
+    result.seconds = whole.seconds();
     const bool check_failed = std::any_of(result.checks.begin(), result.checks.end(), [](const auto& check) {
       return check.outcome == judge::CheckResult::Outcome::kFailed;
     });
@@ -104,16 +112,12 @@ struct SuiteRunner::State {
     return drawn;
   }
 
-  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue, Timing& timing,
+  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue,
             const Progress& progress) {
     for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
       const size_t size = std::min(kBatchSize, cases.size() - begin);
       std::vector<std::unique_ptr<const Planes>> drawn(size);
-      if (reference) {
-        const auto start = Clock::now();
-        drawn = draw_batch(cases.subspan(begin, size), std::span(results).subspan(begin, size));
-        timing.reference_seconds += seconds_since(start);
-      }
+      if (reference) drawn = draw_batch(cases.subspan(begin, size), std::span(results).subspan(begin, size));
       for (size_t i = 0; i < size; ++i) {
         if (results[begin + i].status == Status::kFailed) {
           progress();
@@ -134,42 +138,33 @@ struct SuiteRunner::State {
   }
 
   // Draws and judges everything.
-  void run(std::span<const Case> cases, std::vector<CaseResult>& results, Timing& timing, const Progress& progress) {
+  RunTiming run(std::span<const Case> cases, std::vector<CaseResult>& results, const Progress& progress) {
     const uint32_t jobs = std::max(options.jobs, 1U);
-    std::vector<Timing> timings(jobs);
-    {
-      JobQueue queue(2 * kBatchSize);
-      const Workers workers(jobs, [&](uint32_t worker) {
-        while (std::optional<Job> job = queue.pop()) {
-          finish(cases[job->index], job->reference.get(), results[job->index], timings[worker]);
-          progress();
-        }
-      });
-      feed(cases, results, queue, timing, progress);
-    }
-    for (const Timing& of_worker : timings) {
-      timing.candidate_seconds += of_worker.candidate_seconds;
-      timing.judge_seconds += of_worker.judge_seconds;
-      timing.check_seconds += of_worker.check_seconds;
-    }
+    std::vector<RunTiming> timings(jobs);
+    return timed([&](RunTiming& timing) {
+      {
+        JobQueue queue(2 * kBatchSize);
+        const Workers workers(jobs, [&](uint32_t worker) {
+          while (std::optional<Job> job = queue.pop()) {
+            finish(cases[job->index], job->reference.get(), results[job->index], timings[worker]);
+            progress();
+          }
+        });
+        feed(cases, results, queue, progress);
+      }
+      for (const RunTiming& of_worker : timings) timing += of_worker;
+    });
   }
 
   Timing::Warm measure_warm(std::span<const Case> cases) {
-    std::array<double, 3> suite{};
-    std::array<double, 3> alone{};
+    std::array<RunTiming, 3> suite{};
+    std::array<RunTiming, 3> alone{};
     for (size_t i = 0; i < suite.size(); ++i) {
-      auto start = Clock::now();
-      draw_with_reference_alone(cases);
-      alone[i] = seconds_since(start);
-      start = Clock::now();
+      alone[i] = timed([&](RunTiming&) { draw_with_reference_alone(cases); });
       std::vector<CaseResult> ignored(cases.size());
-      Timing ignored_timing;
-      run(cases, ignored, ignored_timing, [] {});
-      suite[i] = seconds_since(start);
+      suite[i] = run(cases, ignored, [] {});
     }
-    std::sort(suite.begin(), suite.end());
-    std::sort(alone.begin(), alone.end());
-    return {.suite_seconds = suite[1], .reference_alone_seconds = alone[1]};
+    return {.suite = median(suite), .reference_alone = median(alone)};
   }
 };
 
@@ -207,15 +202,14 @@ RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress
                         .version = device.driver_version,
                         .subpixel_bits = device.subpixel_bits};
   }
-  const auto start = Clock::now();
   result.cases.resize(cases.size());
   for (size_t i = 0; i < cases.size(); ++i) {
     result.cases[i].name = cases[i].name;
     result.cases[i].file = cases[i].file;
   }
-  state_->run(
-      cases, result.cases, result.timing, progress ? progress : [] {});
-  result.summary = summarise(result.cases, seconds_since(start));
+  const Progress nobody = [] {};
+  result.timing.run = state_->run(cases, result.cases, progress ? progress : nobody);
+  result.summary = summarise(result.cases, result.timing.run.wall_seconds);
   if (state_->reference && state_->options.measure_alone) result.timing.warm = state_->measure_warm(cases);
   return result;
 }
@@ -234,7 +228,8 @@ Result<Drawing> SuiteRunner::draw(const Case& test_case) {
     drawing.reference = std::move(*planes.front());
   }
   const Planes* const reference = drawing.reference ? &*drawing.reference : nullptr;
-  drawing.verdict = state_->judge_case(test_case, drawing.candidate, reference, true);
+  const judge::Oracle oracle = state_->ask_oracle(test_case, reference != nullptr);
+  drawing.verdict = state_->judge_case(test_case, oracle, drawing.candidate, reference, true);
   return drawing;
 }
 

@@ -123,12 +123,10 @@ class StressRun {
   }
 
   void add_timing(run::RunResult& result) {
-    const run::Timing before = result_.run.timing;
+    const run::RunTiming before = result_.run.timing.run;
     result.cases.clear();
     result_.run = std::move(result);
-    result_.run.timing.reference_seconds += before.reference_seconds;
-    result_.run.timing.candidate_seconds += before.candidate_seconds;
-    result_.run.timing.judge_seconds += before.judge_seconds;
+    result_.run.timing.run += before;
   }
 
   const StressOptions& options_;

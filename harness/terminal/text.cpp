@@ -203,26 +203,4 @@ std::string disagreements_text(const run::RunResult& result) {
                      counted(permitted_cases, "case"), text.empty() ? "" : ", and where one is wrong:", text);
 }
 
-std::string timing_text(const run::RunResult& result) {
-  const run::Timing& timing = result.timing;
-  const double wall = result.summary.wall_seconds;
-  const auto cases = static_cast<double>(result.summary.cases);
-  std::string text = fmt::format(
-      "timing: {:.3f} s in all, pipelines made on the way, {:.0f} cases a second\n"
-      "  reference (drawing and reading back)  {:.3f} s; the run took {:.2f} times that\n"
-      "  candidate (all threads)               {:.3f} s\n"
-      "  oracle and judge (all threads)        {:.3f} s\n"
-      "  metamorphic checks (all threads)      {:.3f} s\n",
-      wall, cases / wall, timing.reference_seconds, wall / timing.reference_seconds, timing.candidate_seconds,
-      timing.judge_seconds, timing.check_seconds);
-  if (timing.warm) {
-    const auto& [suite, alone] = *timing.warm;
-    text += fmt::format(
-        "  once more, every pipeline made (medians of 3, in turn): the suite {:.3f} s, {:.0f} cases a second;\n"
-        "    the reference alone, drawing and reading back, {:.3f} s; the suite took {:.2f} times that\n",
-        suite, cases / suite, alone, suite / alone);
-  }
-  return text;
-}
-
 }  // namespace fillrule::terminal

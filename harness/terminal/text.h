@@ -34,7 +34,4 @@ std::string deviations_text(const run::RunResult& result, const run::DeviationRe
 // Of a run in which the candidate is a reference too: the cases in which the two draw differently, and who is wrong.
 std::string disagreements_text(const run::RunResult& result);
 
-// Where the time went.
-std::string timing_text(const run::RunResult& result);
-
 }  // namespace fillrule::terminal

@@ -150,18 +150,6 @@ TEST(Terminal, AFailedCheckIsTold) {
             "  FAILED  a/b\n    check scissor_crop: depth differs at (1, 2)\n    see it: fillrule show 'a/b'\n");
 }
 
-TEST(Terminal, TimingTellsTheRatioToTheReferenceAlone) {
-  run::RunResult result;
-  result.summary.cases = 100;
-  result.summary.wall_seconds = 0.5;
-  result.timing.reference_seconds = 0.4;
-  result.timing.warm = run::Timing::Warm{.suite_seconds = 0.3, .reference_alone_seconds = 0.2};
-  const std::string text = timing_text(result);
-  EXPECT_NE(text.find("200 cases a second"), std::string::npos);
-  EXPECT_NE(text.find("0.400 s; the run took 1.25 times that"), std::string::npos);
-  EXPECT_NE(text.find("0.200 s; the suite took 1.50 times that"), std::string::npos);
-}
-
 // What the command line prints of a case at fault.
 std::string whole_text(const Scene& scene, const Style& style) {
   return case_text(scene.result, style,

@@ -74,4 +74,15 @@ BiasRange bias_range(const DepthBias& bias, VkFormat format, const PolygonDepth&
   return {.tolerance = std::numeric_limits<double>::infinity()};
 }
 
+BiasRange optional_bias_range(const DepthBias& bias, VkFormat format, const PolygonDepth& primitive) {
+  BiasRange range;
+  for (const DepthBias& terms : {bias, DepthBias{.constant_factor = bias.constant_factor, .clamp = bias.clamp}}) {
+    const BiasRange biased = bias_range(terms, format, primitive);
+    range = {.low = std::min(range.low, biased.low),
+             .high = std::max(range.high, biased.high),
+             .tolerance = std::max(range.tolerance, biased.tolerance)};
+  }
+  return range;
+}
+
 }  // namespace fillrule::exact

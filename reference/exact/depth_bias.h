@@ -30,4 +30,8 @@ struct BiasRange {
 
 BiasRange bias_range(const DepthBias& bias, VkFormat format, const PolygonDepth& polygon);
 
+// The same for a line or a point that is no part of a polygon. It may be biased and need not be, and the slope is
+// defined for triangles alone: anything from 0 to the given one is right.
+BiasRange optional_bias_range(const DepthBias& bias, VkFormat format, const PolygonDepth& primitive);
+
 }  // namespace fillrule::exact

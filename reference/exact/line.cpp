@@ -49,12 +49,17 @@ Coverage classify_viewport(const VkViewport& viewport, double x, double y, const
 Line::Line(const Segment& segment, float width) : segment_(segment), width_(line_width_range(width)) {}
 
 // README.md, "Lines": both the end and the half width are rounded, and turning the line moves its corners.
+Line::Margins Line::margins(const SegmentPart& part, double dx, double dy, const SegmentMoves& moves) const {
+  const double cap = 2 * moves.along + width_.most / 2 * moves.turn + segment_.along_error(dx, dy) + kSlack;
+  return {.side = side_margin(moves) + segment_.distance_error(dx, dy) + kSlack,
+          .begin = cap + part.begin.slop + part.begin.error,
+          .end = cap + part.end.slop + part.end.error};
+}
+
 Coverage Line::classify_caps(const SegmentPart& part, double dx, double dy, const SegmentMoves& moves) const {
   const double along = segment_.along(dx, dy);
-  const double margin = 2 * moves.along + width_.most / 2 * moves.turn + segment_.along_error(dx, dy) + kSlack;
-  const Coverage begin = compare(along - part.begin.along, margin + part.begin.slop + part.begin.error);
-  const Coverage end = compare(part.end.along - along, margin + part.end.slop + part.end.error);
-  return std::min(begin, end);
+  const Margins margin = margins(part, dx, dy, moves);
+  return std::min(compare(along - part.begin.along, margin.begin), compare(part.end.along - along, margin.end));
 }
 
 double Line::side_margin(const SegmentMoves& moves) const {

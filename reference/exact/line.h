@@ -38,6 +38,16 @@ class Line final : public Shape {
   [[nodiscard]] bool on_grid(uint32_t /*subpixel_bits*/) const override { return false; }
 
   [[nodiscard]] const Segment& segment() const { return segment_; }
+  [[nodiscard]] const SizeRange& width() const { return width_; }
+
+  // How far rounding may move the borders of the rectangle around `part`, pixels, as seen from (dx, dy) pixels from
+  // the viewport's centre. Not for lines of any direction.
+  struct Margins {
+    double side = 0;
+    double begin = 0;
+    double end = 0;
+  };
+  [[nodiscard]] Margins margins(const SegmentPart& part, double dx, double dy, const SegmentMoves& moves) const;
 
  private:
   [[nodiscard]] Coverage classify_caps(const SegmentPart& part, double dx, double dy,

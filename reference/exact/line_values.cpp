@@ -205,14 +205,36 @@ Expected LineValues::depth_for(float value, double x, double y) const {
   const auto unbiased = static_cast<float>(double{value} - bias_.middle());
   Expected expected = linear(depth_, unbiased, x, y).expected;
   expected.value += bias_.middle();
-  // The bias, and what adding it rounds.
-  expected.tolerance += bias_.tolerance + kUnitRoundoff * (std::abs(expected.value) + std::abs(bias_.middle()));
+  expected.tolerance += bias_rounding(expected.value);
   expected.spread = bias_.spread();
   return expected;
 }
 
+// The bias, and what adding it rounds.
+double LineValues::bias_rounding(double biased) const {
+  return bias_.tolerance + kUnitRoundoff * (std::abs(biased) + std::abs(bias_.middle()));
+}
+
 Expected LineValues::depth(double x, double y) const {
   return depth_for(kAnyValue, x, y);
+}
+
+PolygonDepth LineValues::depths() const {
+  const double slope = std::numbers::sqrt2 * std::abs(depth_.slope());
+  // Rounding makes the line shorter, and either depth as good as any within its bound.
+  const double length = depth_.length();
+  const double shortened = length - 2 * (moves_.along + moves_.slop);
+  double most = 0;
+  double rounded = 0;
+  for (size_t i = 0; i < 2; ++i) {
+    const double x = segment_.u(i) / segment_.w(i);
+    const double y = segment_.v(i) / segment_.w(i);
+    most = segment_.w(i) > 0 ? std::max(most, std::abs(depth_.at(segment_.along(x, y)))) : kInfinity;
+    rounded = std::max(rounded, kUnitRoundoff * depth_.condition(x, y));
+  }
+  const double tolerance = (slope * (length - shortened) + 2 * std::numbers::sqrt2 * rounded) / shortened;
+  return {
+      .gradient_x = slope, .gradient_tolerance = shortened > 0 ? tolerance : kInfinity, .most_depth = most + rounded};
 }
 
 Expected LineValues::reciprocal_w(double x, double y) const {
@@ -220,7 +242,10 @@ Expected LineValues::reciprocal_w(double x, double y) const {
 }
 
 Tolerance LineValues::depth_tolerance(double x, double y) const {
-  return linear(depth_, kAnyValue, x, y).tolerance;
+  const Judgement judgement = linear(depth_, kAnyValue, x, y);
+  Tolerance tolerance = judgement.tolerance;
+  tolerance.rounding += bias_rounding(judgement.expected.value + bias_.middle());
+  return tolerance;
 }
 
 Expected LineValues::varying_for(uint32_t component, float value, double x, double y) const {

@@ -28,7 +28,8 @@ class LineQuantity {
                WindowLinear::Gradient gradient);
 
   [[nodiscard]] double at(double along) const { return slope_ * along + constant_; }
-  [[nodiscard]] double slope() const { return slope_; }  // per pixel
+  [[nodiscard]] double slope() const { return slope_; }    // per pixel
+  [[nodiscard]] double length() const { return length_; }  // between both ends in the window, pixels
   // C(q, p) in units of 2^-24: README.md.
   [[nodiscard]] double condition(double dx, double dy) const;
   // q times `factor` plus `summand`, of window values `q`.
@@ -59,8 +60,10 @@ class LineValues final : public PieceValues {
   enum class Rule : uint8_t { kProjected, kBresenham, kWideBresenham };
   LineValues(const Segment& segment, const Latitude& latitude, Rule rule);
 
-  // Adds the bias of the polygon that the line is an edge of to all depths.
+  // Added to all depths: the bias of the polygon that the line is an edge of, or the line's own.
   void set_depth_bias(const BiasRange& bias) { bias_ = bias; }
+  // What the line's own depends on. The slope may be counted along the line or for each pixel of its major axis.
+  [[nodiscard]] PolygonDepth depths() const;
 
   void add_component(Interpolation interpolation, const std::array<float, 2>& values, float provoking);
 
@@ -99,6 +102,7 @@ class LineValues final : public PieceValues {
     Expected expected;
     Tolerance tolerance;
   };
+  [[nodiscard]] double bias_rounding(double biased) const;
   [[nodiscard]] Interval places(double dx, double dy) const;
   [[nodiscard]] double moved(double along, double dx, double dy) const;
   [[nodiscard]] Judgement linear(const LineQuantity& quantity, float value, double x, double y) const;

@@ -198,8 +198,11 @@ std::unique_ptr<PieceValues> outline_values(const Case& test_case, const Piece& 
         shape.segment(), piece.latitude,
         shape.width() > 1 ? LineValues::Rule::kWideBresenham : LineValues::Rule::kBresenham);
   }
-  if (piece.of_polygon && draw.state.depth_bias) {
-    const BiasRange bias = polygon_bias(test_case, piece);
+  if (draw.state.depth_bias) {
+    const BiasRange bias = piece.of_polygon
+                               ? polygon_bias(test_case, piece)
+                               : optional_bias_range(*draw.state.depth_bias, test_case.target.depth_format,
+                                                     point ? point->depths() : line->depths());
     if (point) point->set_depth_bias(bias);
     if (line) line->set_depth_bias(bias);
   }

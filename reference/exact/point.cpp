@@ -40,6 +40,11 @@ Point::Point(const ClipPosition& vertex, const SizeRange& size, std::span<const 
   y_ = double{viewport_.y} + double{viewport_.height} / 2 * (1 + double{vertex[1]} / w);
 }
 
+Latitude Point::margin(const Latitude& latitude) const {
+  const double rounding = is_whole(size_) ? 1 : 1.5;
+  return {.x = rounding * latitude.x + kSlack, .y = rounding * latitude.y + kSlack};
+}
+
 Classification Point::classify(double x, double y, const Latitude& latitude, DoubtBits /*undecided*/) const {
   constexpr Classification kMaybe{.coverage = Coverage::kMay, .doubt = kDoubtShape};
   if (!visible_) return {};
@@ -47,11 +52,9 @@ Classification Point::classify(double x, double y, const Latitude& latitude, Dou
   if (undefined_) return viewport == Coverage::kMustNot ? Classification{} : kMaybe;
   const double dx = std::abs(x - x_);
   const double dy = std::abs(y - y_);
-  const double rounding = is_whole(size_) ? 1 : 1.5;
-  const double margin_x = rounding * latitude.x + kSlack;
-  const double margin_y = rounding * latitude.y + kSlack;
-  if (dx > size_.most / 2 + margin_x || dy > size_.most / 2 + margin_y) return {};
-  const bool inside = dx < size_.least / 2 - margin_x && dy < size_.least / 2 - margin_y;
+  const Latitude moved = margin(latitude);
+  if (dx > size_.most / 2 + moved.x || dy > size_.most / 2 + moved.y) return {};
+  const bool inside = dx < size_.least / 2 - moved.x && dy < size_.least / 2 - moved.y;
   // Whether a square is cut at the viewport, the specification does not say.
   return inside && viewport == Coverage::kMust ? Classification{.coverage = Coverage::kMust} : kMaybe;
 }

@@ -33,6 +33,8 @@ class Point final : public Shape {
   [[nodiscard]] double x() const { return x_; }
   [[nodiscard]] double y() const { return y_; }
   [[nodiscard]] const SizeRange& size() const { return size_; }
+  // How far rounding may move the sides of the square, pixels.
+  [[nodiscard]] Latitude margin(const Latitude& latitude) const;
   [[nodiscard]] const ClipPosition& vertex() const { return vertex_; }
   [[nodiscard]] const VkViewport& viewport() const { return viewport_; }
 

@@ -27,9 +27,7 @@ PointValues::PointValues(const Point& point, const Latitude& latitude, bool nega
 }
 
 Expected PointValues::depth(double x, double y) const {
-  return {.value = depth_ + bias_.middle(),
-          .tolerance = depth_tolerance(x, y).total() + bias_.tolerance,
-          .spread = bias_.spread()};
+  return {.value = depth_ + bias_.middle(), .tolerance = depth_tolerance(x, y).total(), .spread = bias_.spread()};
 }
 
 Expected PointValues::reciprocal_w(double /*x*/, double /*y*/) const {
@@ -38,7 +36,7 @@ Expected PointValues::reciprocal_w(double /*x*/, double /*y*/) const {
 }
 
 Tolerance PointValues::depth_tolerance(double /*x*/, double /*y*/) const {
-  return {.snapping = 0, .rounding = kValueRoundings * kUnitRoundoff * depth_magnitude_ + kFlushed};
+  return {.snapping = 0, .rounding = kValueRoundings * kUnitRoundoff * depth_magnitude_ + kFlushed + bias_.tolerance};
 }
 
 bool PointValues::judged(uint32_t component) const {

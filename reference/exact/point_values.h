@@ -1,6 +1,7 @@
 // Exact depth and varyings of a point: one vertex's, at every sample; README.md, section "Points".
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "reference/exact/depth_bias.h"
@@ -15,8 +16,12 @@ class PointValues final : public PieceValues {
  public:
   PointValues(const Point& point, const Latitude& latitude, bool negative_one_to_one);
 
-  // Adds the bias of the polygon that the point is a corner of to all depths.
+  // Added to all depths: the bias of the polygon that the point is a corner of, or the point's own.
   void set_depth_bias(const BiasRange& bias) { bias_ = bias; }
+  // What the point's own depends on.
+  [[nodiscard]] PolygonDepth depths() const {
+    return {.most_depth = std::abs(depth_) + depth_tolerance(0, 0).total()};
+  }
 
   void add_component(float value) { components_.push_back(value); }
 

@@ -64,6 +64,7 @@ Result<Device> Device::create(const PhysicalDevice& physical) {
                                            .queueCount = 1,
                                            .pQueuePriorities = &priority};
   const DeviceFeatures features(physical.handle);
+  device.has_dynamic_state_ = features.has_dynamic_state();
   std::vector<const char*> extensions = features.extensions();
   if (device.has_memory_budget_) extensions.push_back(VK_EXT_MEMORY_BUDGET_EXTENSION_NAME);
   const VkDeviceCreateInfo device_info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO,

@@ -30,6 +30,8 @@ class Device {
   [[nodiscard]] VkQueue queue() const { return queue_; }
   [[nodiscard]] uint32_t queue_family() const { return queue_family_; }
 
+  // Whether draws can set by themselves what DynamicState has.
+  [[nodiscard]] bool has_dynamic_state() const { return has_dynamic_state_; }
   // How many vec4 slots one pass can write.
   [[nodiscard]] uint32_t slots_per_pass() const { return slots_per_pass_; }
   [[nodiscard]] uint64_t max_buffer_bytes() const { return max_buffer_bytes_; }
@@ -55,6 +57,7 @@ class Device {
   uint64_t max_buffer_bytes_ = 0;
   uint64_t max_storage_buffer_bytes_ = 0;  // that one descriptor takes
   uint64_t max_allocation_bytes_ = 0;
+  bool has_dynamic_state_ = false;
   bool has_memory_budget_ = false;
   VkPhysicalDeviceMemoryProperties memory_{};
 };

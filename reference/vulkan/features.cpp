@@ -25,6 +25,20 @@ VkPhysicalDeviceFeatures used(const VkPhysicalDeviceFeatures& offered) {
           .shaderCullDistance = offered.shaderCullDistance};
 }
 
+// The same of what draws may set by themselves.
+VkPhysicalDeviceExtendedDynamicState3FeaturesEXT used(
+    const VkPhysicalDeviceExtendedDynamicState3FeaturesEXT& offered) {
+  return {.sType = offered.sType,
+          .pNext = offered.pNext,
+          .extendedDynamicState3DepthClampEnable = offered.extendedDynamicState3DepthClampEnable,
+          .extendedDynamicState3PolygonMode = offered.extendedDynamicState3PolygonMode,
+          .extendedDynamicState3SampleMask = offered.extendedDynamicState3SampleMask,
+          .extendedDynamicState3DepthClipEnable = offered.extendedDynamicState3DepthClipEnable,
+          .extendedDynamicState3ProvokingVertexMode = offered.extendedDynamicState3ProvokingVertexMode,
+          .extendedDynamicState3LineRasterizationMode = offered.extendedDynamicState3LineRasterizationMode,
+          .extendedDynamicState3DepthClipNegativeOneToOne = offered.extendedDynamicState3DepthClipNegativeOneToOne};
+}
+
 // 0 where the format is no attachment that can be read back.
 VkSampleCountFlags sample_counts(VkPhysicalDevice device, VkFormat format, VkSampleCountFlagBits wanted) {
   VkImageFormatProperties properties{};
@@ -53,6 +67,7 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice device) : device_(device) {
   add_if_present(VK_EXT_PROVOKING_VERTEX_EXTENSION_NAME, provoking_vertex_);
   add_if_present(VK_EXT_DEPTH_CLIP_ENABLE_EXTENSION_NAME, depth_clip_enable_);
   add_if_present(VK_EXT_DEPTH_CLIP_CONTROL_EXTENSION_NAME, depth_clip_control_);
+  add_if_present(VK_EXT_EXTENDED_DYNAMIC_STATE_3_EXTENSION_NAME, dynamic_state3_);
   vkGetPhysicalDeviceFeatures2(device, &all_);
 
   all_.features = used(all_.features);
@@ -62,6 +77,7 @@ DeviceFeatures::DeviceFeatures(VkPhysicalDevice device) : device_(device) {
                .dynamicRendering = vulkan13_.dynamicRendering,
                .maintenance4 = vulkan13_.maintenance4};
   provoking_vertex_.transformFeedbackPreservesProvokingVertex = VK_FALSE;
+  dynamic_state3_ = used(dynamic_state3_);
 }
 
 template <typename Structure>
@@ -70,6 +86,27 @@ void DeviceFeatures::add_if_present(const char* extension, Structure& structure)
   extensions_.push_back(extension);
   structure.pNext = vulkan13_.pNext;
   vulkan13_.pNext = &structure;
+}
+
+bool DeviceFeatures::has_dynamic_state() const {
+  const auto& offered = dynamic_state3_;
+  const std::array needed = {
+      // What the states set has to be there too.
+      core().depthClamp,
+      core().fillModeNonSolid,
+      depth_clip_enable_.depthClipEnable,
+      depth_clip_control_.depthClipControl,
+      provoking_vertex_.provokingVertexLast,
+      lines_.rectangularLines,
+      offered.extendedDynamicState3DepthClampEnable,
+      offered.extendedDynamicState3PolygonMode,
+      offered.extendedDynamicState3SampleMask,
+      offered.extendedDynamicState3DepthClipEnable,
+      offered.extendedDynamicState3ProvokingVertexMode,
+      offered.extendedDynamicState3LineRasterizationMode,
+      offered.extendedDynamicState3DepthClipNegativeOneToOne,
+  };
+  return std::ranges::all_of(needed, [](VkBool32 has) { return has == VK_TRUE; });
 }
 
 FeatureSet DeviceFeatures::for_cases() const {

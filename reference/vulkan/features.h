@@ -27,6 +27,8 @@ class DeviceFeatures {
   // For VkDeviceCreateInfo: everything here, switched on.
   [[nodiscard]] const VkPhysicalDeviceFeatures2& chain() const { return all_; }
   [[nodiscard]] const std::vector<const char*>& extensions() const { return extensions_; }
+  // Whether every state of DynamicState is dynamic.
+  [[nodiscard]] bool has_dynamic_state() const;
   // What cases may ask of the device.
   [[nodiscard]] FeatureSet for_cases() const;
 
@@ -51,6 +53,8 @@ class DeviceFeatures {
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_ENABLE_FEATURES_EXT};
   VkPhysicalDeviceDepthClipControlFeaturesEXT depth_clip_control_{
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DEPTH_CLIP_CONTROL_FEATURES_EXT};
+  VkPhysicalDeviceExtendedDynamicState3FeaturesEXT dynamic_state3_{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTENDED_DYNAMIC_STATE_3_FEATURES_EXT};
   std::vector<const char*> extensions_;
 };
 

@@ -140,7 +140,8 @@ uint32_t extra_count(const PipelineKey& key) {
 }
 
 Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layout, const PipelineKey& key,
-                                          VkShaderModule vertex, VkShaderModule fragment) {
+                                          std::span<const VkDynamicState> dynamic, VkShaderModule vertex,
+                                          VkShaderModule fragment) {
   const std::array stages = {
       VkPipelineShaderStageCreateInfo{.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO,
                                       .stage = VK_SHADER_STAGE_VERTEX_BIT,
@@ -173,9 +174,11 @@ Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layo
   const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                   .attachmentCount = static_cast<uint32_t>(blending.size()),
                                                   .pAttachments = blending.data()};
-  const VkPipelineDynamicStateCreateInfo dynamic{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
-                                                 .dynamicStateCount = static_cast<uint32_t>(kDynamicStates.size()),
-                                                 .pDynamicStates = kDynamicStates.data()};
+  std::vector<VkDynamicState> states(kDynamicStates.begin(), kDynamicStates.end());
+  states.insert(states.end(), dynamic.begin(), dynamic.end());
+  const VkPipelineDynamicStateCreateInfo dynamic_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
+                                                      .dynamicStateCount = static_cast<uint32_t>(states.size()),
+                                                      .pDynamicStates = states.data()};
   const std::vector<VkFormat> formats = color_formats(key.slots.total());
   const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
                                                 .colorAttachmentCount = static_cast<uint32_t>(formats.size()),
@@ -192,7 +195,7 @@ Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layo
                                           .pMultisampleState = &multisample,
                                           .pDepthStencilState = &depth,
                                           .pColorBlendState = &blend,
-                                          .pDynamicState = &dynamic,
+                                          .pDynamicState = &dynamic_info,
                                           .layout = layout};
   VkPipeline pipeline = VK_NULL_HANDLE;
   const VkResult result = vkCreateGraphicsPipelines(device, VK_NULL_HANDLE, 1, &info, nullptr, &pipeline);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 
 #include "reference/vulkan/device.h"
 #include "reference/vulkan/pipeline_key.h"
@@ -19,8 +20,10 @@ inline constexpr uint32_t kVec4Bytes = 16;
 // The floats of kExtraBinding for each vertex.
 uint32_t extra_count(const PipelineKey& key);
 
-// The key's needs must be among the device's features.
+// The key's needs must be among the device's features. `dynamic` is what draws set besides the state that is dynamic
+// on every device.
 Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layout, const PipelineKey& key,
-                                          VkShaderModule vertex, VkShaderModule fragment);
+                                          std::span<const VkDynamicState> dynamic, VkShaderModule vertex,
+                                          VkShaderModule fragment);
 
 }  // namespace fillrule::vulkan

@@ -57,6 +57,7 @@ Result<PipelineCache> PipelineCache::create(const Device& device, Program progra
   cache.device_ = &device;
   cache.program_ = std::move(program);
   cache.use_primitive_id_ = use_primitive_id;
+  cache.dynamic_state_ = DynamicState(device);
   const VkPushConstantRange range{.stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                                   .size = sizeof(Numbering)};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
@@ -82,14 +83,15 @@ Result<ShaderModule> PipelineCache::compile(VkShaderStageFlagBits stage, const P
   return create_shader(device_->get(), stage, is_vertex ? program_.vertex_glsl : program_.fragment_glsl, defines);
 }
 
-Result<VkPipeline> PipelineCache::find_or_create(const PipelineKey& key) {
+Result<VkPipeline> PipelineCache::find_or_create(const PipelineKey& wanted) {
+  const PipelineKey key = dynamic_state_.without(wanted);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.get();
   const Result<ShaderModule> vertex = compile(VK_SHADER_STAGE_VERTEX_BIT, key);
   if (!vertex) return tl::unexpected(vertex.error());
   const Result<ShaderModule> fragment = compile(VK_SHADER_STAGE_FRAGMENT_BIT, key);
   if (!fragment) return tl::unexpected(fragment.error());
-  Result<Pipeline> pipeline =
-      create_graphics_pipeline(device_->get(), layout_.get(), key, vertex->get(), fragment->get());
+  Result<Pipeline> pipeline = create_graphics_pipeline(device_->get(), layout_.get(), key, dynamic_state_.states(),
+                                                       vertex->get(), fragment->get());
   if (!pipeline) return tl::unexpected(pipeline.error());
   return pipelines_.emplace(key, std::move(*pipeline)).first->second.get();
 }

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "reference/vulkan/device.h"
+#include "reference/vulkan/dynamic_state.h"
 #include "reference/vulkan/pipeline_key.h"
 
 namespace fillrule::vulkan {
@@ -25,6 +26,8 @@ class PipelineCache {
 
   [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
   [[nodiscard]] bool uses_primitive_id() const { return use_primitive_id_; }
+  // What a draw sets by itself, besides the state that is dynamic on every device.
+  [[nodiscard]] const DynamicState& dynamic_state() const { return dynamic_state_; }
   Result<VkPipeline> find_or_create(const PipelineKey& key);
 
  private:
@@ -34,6 +37,7 @@ class PipelineCache {
   const Device* device_ = nullptr;
   Program program_;
   bool use_primitive_id_ = true;
+  DynamicState dynamic_state_;
   PipelineLayout layout_;
   std::map<PipelineKey, Pipeline> pipelines_;
 };

@@ -162,7 +162,7 @@ void record_draw(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upl
   }
 }
 
-void record_pass(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upload, const CaseJob& job,
+void record_pass(VkCommandBuffer commands, const PipelineCache& pipelines, VkBuffer upload, const CaseJob& job,
                  const Pass& pass) {
   begin_rendering(commands, pass, job.drawn->target.clear_depth);
   VkPipeline bound = VK_NULL_HANDLE;
@@ -171,8 +171,9 @@ void record_pass(VkCommandBuffer commands, VkPipelineLayout layout, VkBuffer upl
     if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     bound = pipeline;
     set_state(commands, uploaded);
+    pipelines.dynamic_state().set(commands, pipeline_key(*job.drawn, *uploaded.draw, pass.slots.counts));
     bind_vertices(commands, upload, uploaded, pass.slots, job.needs.packing.counts.interpolated());
-    record_draw(commands, layout, upload, uploaded);
+    record_draw(commands, pipelines.layout(), upload, uploaded);
   }
   vkCmdEndRendering(commands);
 }
@@ -197,7 +198,7 @@ void record(VkCommandBuffer commands, const PipelineCache& pipelines, const Samp
   // The upload buffer needs no barrier: submitting makes the host's writes visible.
   record_begin_barrier(commands, jobs);
   for (const CaseJob& job : jobs) {
-    for (const Pass& pass : job.passes) record_pass(commands, pipelines.layout(), buffers.upload, job, pass);
+    for (const Pass& pass : job.passes) record_pass(commands, pipelines, buffers.upload, job, pass);
   }
   record_read_barrier(commands, jobs);
   record_copies(commands, buffers.readback, jobs);

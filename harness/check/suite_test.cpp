@@ -1,0 +1,17 @@
+// The suite passes its own check.
+#include <gtest/gtest.h>
+
+#include "cases/format/suite.h"
+#include "harness/check/check.h"
+
+namespace fillrule::check {
+namespace {
+
+TEST(Suite, PassesTheCheck) {
+  const format::Suite suite = format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  ASSERT_TRUE(suite.errors.empty()) << to_string(suite.errors.front());
+  for (const Error& finding : check_files(suite.cases, {})) ADD_FAILURE() << to_string(finding);
+}
+
+}  // namespace
+}  // namespace fillrule::check
