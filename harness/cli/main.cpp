@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
     app.fallthrough();
     app.footer("Exit codes: 0 conforms, 1 mismatch, 2 bad case or usage, 3 no such reference device.");
     add_run(app, exit_code);
+    add_merge(app, exit_code);
     add_list(app, exit_code);
     add_show(app, exit_code);
     add_devices(app, exit_code);

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "harness/cli/command.h"
+#include "harness/report/printable.h"
 
 namespace fillrule::cli {
 namespace {
@@ -67,25 +68,32 @@ std::string default_root() {
 }
 
 std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
+  const bool plain = report::printable(text) == text;
+  std::string result = plain ? "'" : "$'";
   for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
+    const auto byte = static_cast<unsigned char>(c);
+    if (plain) {
+      result += c == '\'' ? "'\\''" : std::string(1, c);
+    } else if (c == '\'' || c == '\\') {
+      result.append("\\").push_back(c);
     } else {
-      result += c;
+      result += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
     }
   }
   return result + "'";
 }
 
 std::string case_selector(const std::string& file, const std::string& name, const std::string& root) {
-  // A case of another folder than the suite's is found by its file.
-  if (!is_below(file, root)) return shell_quoted(file);
-  return shell_quoted(name) + (root == default_root() ? "" : " --suite " + shell_quoted(root));
+  const bool in_suite = is_below(file, root);
+  const std::string path = name.substr(0, name.rfind('[')) + ".toml";
+  if (!in_suite && !(name.ends_with(']') && file.ends_with(path))) return shell_quoted(file);
+  std::string folder = in_suite ? root : file.substr(0, file.size() - path.size());
+  if (folder.empty()) folder = ".";
+  return shell_quoted(name) + (folder == default_root() ? "" : " --suite " + shell_quoted(folder));
 }
 
 void print_error(const Error& error) {
-  fmt::print(stderr, "{}\n", to_string(error));
+  fmt::print(stderr, "{}\n", report::printable_lines(to_string(error)));
 }
 
 std::string default_root() {
@@ -197,6 +205,20 @@ Result<void> check_writable(const std::string& file) {
   if (!writable) return tl::unexpected(Error{.file = file, .what = "cannot be written"});
   if (!was_there) std::filesystem::remove(file, error);
   return {};
+}
+
+void add_deviation_options(CLI::App& command, std::string& expected_folder, bool& strict_reference) {
+  command.add_flag(
+      "--strict-reference", strict_reference,
+      "fail on a fault of the reference that is not on its list of known deviations, and on a listed one "
+      "that no longer occurs");
+  expected_folder = FILLRULE_SOURCE_DIR "/ci/expected";
+  command.add_option("--expected", expected_folder, "where the lists of known deviations are")->type_name("DIR");
+}
+
+bool has_failed(const run::RunResult& result, const run::DeviationReport& deviations, bool strict_reference) {
+  const bool as_listed = deviations.unexpected.empty() && deviations.gone.empty();
+  return result.summary.failed > 0 || (strict_reference && !as_listed);
 }
 
 bool is_driver(const std::string& reference) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "harness/explain/oracle.h"
 #include "reference/exact/depth_format.h"

@@ -329,5 +329,40 @@ TEST(Judge, ReportsTheBoxTheFirstAndTheWorstSample) {
   EXPECT_EQ(depth.bounds->max_y, 6U);
 }
 
+TEST(Judge, KeepsTheWorstSamplesTheGravestFirst) {
+  const Case test_case = square();
+  const Planes right = perfect(test_case);
+  Planes wrong = right;
+  wrong.depth[index_of(4, 3)] += 0.1F;
+  wrong.depth[index_of(3, 6)] += 0.3F;
+  wrong.depth[index_of(5, 6)] += 0.1F;
+  const CaseVerdict verdict = judge_pair(test_case, wrong, right);
+  const std::vector<SampleRecord>& worst = plane(verdict, "depth").worst_samples;
+  ASSERT_EQ(worst.size(), 3U);
+  EXPECT_EQ(worst[0].x, 3U);
+  EXPECT_GE(worst[1].severity, worst[2].severity);
+  EXPECT_TRUE(plane(verdict, "owner").worst_samples.empty());
+}
+
+TEST(KeepWorst, NoMoreThanTheGravest) {
+  std::vector<SampleRecord> worst;
+  for (uint32_t i = 0; i < 2 * kWorstSamples; ++i) {
+    keep_worst(worst, {.x = i, .verdict = Verdict::kCandidateFault, .severity = static_cast<double>(i)});
+  }
+  keep_worst(worst, {.x = 1000, .verdict = Verdict::kReferenceFault, .severity = 1e9});
+  ASSERT_EQ(worst.size(), kWorstSamples);
+  EXPECT_EQ(worst.front().x, 2 * kWorstSamples - 1);
+  EXPECT_EQ(worst.back().x, kWorstSamples);
+}
+
+TEST(UlpsBetween, InTheLastPlaceOfTheExactValue) {
+  EXPECT_EQ(ulps_between(1, 1), 0);
+  EXPECT_EQ(ulps_between(1 + 3 * 0x1p-23, 1), 3);
+  EXPECT_EQ(ulps_between(-0.5 - 0x1p-24, -0.5), 1);
+  EXPECT_EQ(ulps_between(0x1p-149, 0), 1);
+  EXPECT_EQ(ulps_between(1, std::numeric_limits<double>::quiet_NaN()), 0);
+  EXPECT_TRUE(std::isnan(ulps_between(std::numeric_limits<double>::quiet_NaN(), 1)));
+}
+
 }  // namespace
 }  // namespace fillrule::judge
