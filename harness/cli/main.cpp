@@ -41,6 +41,8 @@ int main(int argc, char** argv) {
     add_new(app, exit_code);
     add_check(app, exit_code);
     add_exhaust(app, exit_code);
+    add_faults(app, exit_code);
+    add_bench(app, exit_code);
     const std::string given = argc > 1 ? argv[1] : "-";
     if (const auto known = check_command(app, given); !known) {
       print_error(known.error());

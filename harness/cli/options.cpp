@@ -88,6 +88,11 @@ void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", to_string(error));
 }
 
+std::string default_root() {
+  const std::string here = "cases";
+  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
+}
+
 void add_suite_options(CLI::App& command, SuiteOptions& options) {
   options.root = default_root();
   command
@@ -109,8 +114,10 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   run::RunOptions& run = options.run;
   run.driver_files = driver_files();
   command
-      .add_option("--candidate", run.candidate,
-                  "who is judged: renderer, renderer:scanline (fills by scanlines), or a driver")
+      .add_option(
+          "--candidate", run.candidate,
+          "who is judged: renderer, renderer:scanline (fills by scanlines), faults:NAME (the naive rasterizer "
+          "with a fault, 'fillrule faults --list'; faults:none has none), cheats:NAME, or a driver")
       ->capture_default_str();
   command
       .add_option("--reference", options.references,
@@ -124,6 +131,7 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   command.add_option("--threads", run.candidate_options.threads, "that the candidate draws one case with")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  add_isa_option(command, run.candidate_options.isa);
   command.add_flag("--validation", run.validation, "load Vulkan's validation layers");
   command
       .add_option("--profile", options.profiles,
@@ -133,6 +141,19 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"top_left", "diamond_exit", "precise", "same_bits"}));
+}
+
+void add_isa_option(CLI::App& command, renderer::Isa& isa) {
+  std::vector<std::string> supported;
+  for (const renderer::Isa one : renderer::kAllIsas) {
+    if (renderer::is_supported(one)) supported.emplace_back(renderer::to_string(one));
+  }
+  command
+      .add_option_function<std::string>(
+          "--isa", [&isa](const std::string& name) { isa = *renderer::isa_named(name); },
+          "the renderer's instruction set; by default the greatest that the processor has, and any gives the same "
+          "bytes")
+      ->check(CLI::IsMember(supported));
 }
 
 std::vector<std::string> driver_files() {

@@ -40,6 +40,9 @@ struct PartyOptions {
 };
 void add_party_options(CLI::App& command, PartyOptions& options);
 
+// --isa, the renderer's instruction set; refuses what this processor does not have.
+void add_isa_option(CLI::App& command, renderer::Isa& isa);
+
 // Vulkan drivers that are not installed in the system: what ci/swiftshader has fetched, if it has.
 std::vector<std::string> driver_files();
 

@@ -9,8 +9,8 @@
 
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
+#include "harness/report/failures.h"
 #include "harness/report/json.h"
-#include "harness/report/pictures.h"
 #include "harness/report/terminal.h"
 #include "harness/report/timing_text.h"
 #include "harness/run/counted.h"
@@ -25,6 +25,7 @@ struct RunCommandOptions {
   PartyOptions parties;
   std::string report_folder;    // empty: none is written
   std::string json_file;        // empty: none is written
+  std::string faults_file;      // shown in the report; empty: the report's own faults.json, if it is there
   std::string expected_folder;  // lists of known deviations
   bool strict_reference = false;
   bool verbose = false;
@@ -53,39 +54,26 @@ bool print_if_failed(const Result<void>& result) {
   return result.has_value();
 }
 
-// Pictures of every case at fault, drawn once more: whoever draws the same case twice gets the same bytes.
-bool write_pictures(const std::string& folder, run::SuiteRunner& runner, const std::vector<Case>& cases,
-                    const run::RunResult& result) {
-  bool written = true;
-  size_t count = 0;
-  for (size_t i = 0; i < cases.size(); ++i) {
-    const judge::CaseVerdict& verdict = result.cases[i].verdict;
-    if (verdict.candidate_faults() == 0 && verdict.reference_faults() == 0) continue;
-    const Result<run::Drawing> drawing = runner.draw(cases[i]);
-    const auto paths = drawing ? report::write_pictures(folder, cases[i], *drawing)
-                               : Result<std::vector<std::string>>(tl::unexpected(drawing.error()));
-    if (!paths) print_error(paths.error());
-    written = written && paths.has_value();
-    count += paths ? 1 : 0;
-  }
-  if (count > 0) fmt::print("pictures of {} in {}\n", run::counted(count, "case"), folder);
-  return written;
-}
-
 // Before the run, which may be long.
 bool can_write_report(const RunCommandOptions& options) {
   return (options.json_file.empty() || print_if_failed(check_writable(options.json_file))) &&
          (options.report_folder.empty() || print_if_failed(prepare_folder(options.report_folder)));
 }
 
-// results.json and the pictures, wherever they were asked for.
+// results.json, report.html and the pictures, wherever they were asked for.
 bool write_report(const RunCommandOptions& options, run::SuiteRunner& runner, const std::vector<Case>& cases,
                   const run::RunResult& result, const run::DeviationReport& deviations) {
   const std::string json = report::to_json(result, deviations);
   bool written = options.json_file.empty() || print_if_failed(report::write_text(options.json_file, json));
   if (options.report_folder.empty()) return written;
   written = print_if_failed(report::write_text(options.report_folder + "/results.json", json)) && written;
-  return write_pictures(options.report_folder, runner, cases, result) && written;
+  const std::string faults =
+      options.faults_file.empty() ? options.report_folder + "/faults.json" : options.faults_file;
+  const report::FailureFiles files = report::write_failures(options.report_folder, faults, runner,
+                                                            options.parties.run.profile, cases, result, deviations);
+  for (const Error& error : files.errors) print_error(error);
+  if (files.cases > 0) fmt::print("pictures of {} in {}\n", run::counted(files.cases, "case"), options.report_folder);
+  return files.errors.empty() && written;
 }
 
 // Where two references draw differently, and which of them is wrong if one is.
@@ -169,8 +157,15 @@ void add_run(CLI::App& app, int& exit_code) {
   add_party_options(*command, options->parties);
   run::RunOptions& run = options->parties.run;
   run.jobs = std::max(std::thread::hardware_concurrency(), 1U);
-  command->add_option("--report", options->report_folder, "where results.json and the pictures of cases at fault go")
+  command
+      ->add_option("--report", options->report_folder,
+                   "where report.html, results.json and the pictures of cases at fault go")
       ->type_name("DIR");
+  command
+      ->add_option(
+          "--faults", options->faults_file,
+          "a table that 'fillrule faults --json' wrote, to show in report.html (DIR/faults.json if it is there)")
+      ->type_name("FILE");
   command->add_option("--json", options->json_file, "write the results to this file too")->type_name("FILE");
   command->add_option("--jobs", run.jobs, "cases judged at the same time")->check(CLI::Range(1, 1024));
   command->add_flag("--checks,!--no-checks", run.checks,

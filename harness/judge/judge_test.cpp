@@ -112,6 +112,17 @@ void expect_fault(const std::string& plane_name, const Spoil& spoil, const Case&
   EXPECT_EQ(plane(alone, plane_name).candidate_faults(), 1U) << plane_name;
 }
 
+TEST(Judge, MapsComeWithTheOraclesAnswers) {
+  const Planes right = perfect(square());
+  const CaseVerdict verdict = judge_pair(square(), right, right);
+  const size_t inside = size_t{4} * right.width + 4;
+  ASSERT_EQ(verdict.oracle.size(), verdict.samples);
+  EXPECT_EQ(verdict.oracle[inside].coverage, OracleAnswer::Coverage::kMust);
+  EXPECT_EQ(verdict.oracle[inside].owner, right.owner[inside]);
+  EXPECT_EQ(verdict.oracle[0].coverage, OracleAnswer::Coverage::kMustNot);
+  EXPECT_EQ(verdict.oracle[0].owner, kNoOwner);
+}
+
 TEST(Judge, APerfectPictureIsIdenticalToItselfAndToTheOracle) {
   const Case test_case = square();
   const Planes planes = perfect(test_case);

@@ -6,6 +6,8 @@
 #include <mutex>
 #include <string_view>
 
+#include "harness/faults/cheats.h"
+#include "harness/faults/rasterizer.h"
 #include "harness/programs/varyings.h"
 #include "harness/run/reference.h"
 
@@ -14,10 +16,12 @@ namespace {
 
 constexpr std::string_view kRenderer = "renderer";
 constexpr std::string_view kScanlineRenderer = "renderer:scanline";
+constexpr std::string_view kFaults = "faults:";
+constexpr std::string_view kCheats = "cheats:";
 
 Candidate make_renderer(std::string_view name, renderer::Fill fill, const CandidateOptions& options) {
   const renderer::Options renderer_options{
-      .subpixel_bits = options.subpixel_bits, .threads = options.threads, .fill = fill};
+      .subpixel_bits = options.subpixel_bits, .threads = options.threads, .fill = fill, .isa = options.isa};
   const auto draw = [renderer_options](const Case& test_case, uint32_t threads) {
     renderer::Options chosen = renderer_options;
     if (threads != 0) chosen.threads = threads;
@@ -33,6 +37,33 @@ Candidate make_renderer(std::string_view name, renderer::Fill fill, const Candid
           .features = programs::renderer_features(),
           .check = check,
           .draw = draw};
+}
+
+// The naive rasterizer, with a fault or a cheat: `draw(case, subpixel bits)`.
+template <typename Draw>
+Candidate make_naive(const std::string& name, const CandidateOptions& options, const Draw& draw) {
+  const uint32_t bits = options.subpixel_bits;
+  return {.name = name,
+          .subpixel_bits = bits,
+          .features = FeatureSet::all(),
+          .check = [](const Case&) -> Result<void> { return {}; },
+          .draw = [draw, bits](const Case& test_case, uint32_t) -> Result<Planes> { return draw(test_case, bits); }};
+}
+
+Result<Candidate> make_faulty(const std::string& name, const CandidateOptions& options) {
+  return faults::fault_named(std::string_view(name).substr(kFaults.size())).map([&](faults::Fault fault) {
+    return make_naive(name, options, [fault](const Case& test_case, uint32_t bits) {
+      return faults::draw_case(test_case, fault, bits);
+    });
+  });
+}
+
+Result<Candidate> make_cheat(const std::string& name, const CandidateOptions& options) {
+  return faults::cheat_named(std::string_view(name).substr(kCheats.size())).map([&](faults::Cheat cheat) {
+    return make_naive(name, options, [cheat](const Case& test_case, uint32_t bits) {
+      return faults::draw_cheat(test_case, cheat, bits);
+    });
+  });
 }
 
 // A device is for one thread at a time.
@@ -62,7 +93,10 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
     Error error = device.error();
     error.what = fmt::format("there is no candidate '{}': {}", name, error.what);
     error.hint =
-        "the candidates are renderer, renderer:scanline and the drivers that 'fillrule devices' lists; " + error.hint;
+        "the candidates are renderer, renderer:scanline, faults:NAME, cheats:NAME and the drivers that 'fillrule "
+        "devices' "
+        "lists; " +
+        error.hint;
     return tl::unexpected(error);
   }
   const auto shared = std::make_shared<SharedDevice>(std::move(*device));
@@ -78,6 +112,8 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options) {
   if (name == kRenderer) return make_renderer(name, renderer::Fill::kEdgeFunction, options);
   if (name == kScanlineRenderer) return make_renderer(name, renderer::Fill::kScanline, options);
+  if (name.starts_with(kFaults)) return make_faulty(name, options);
+  if (name.starts_with(kCheats)) return make_cheat(name, options);
   return make_driver(name, options);
 }
 

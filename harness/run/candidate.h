@@ -10,6 +10,7 @@
 #include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
+#include "renderer/isa.h"
 
 namespace fillrule::run {
 
@@ -25,13 +26,16 @@ struct Candidate {
 };
 
 struct CandidateOptions {
-  uint32_t subpixel_bits = 8;             // of the renderer; a driver has its own
-  uint32_t threads = 1;                   // that the renderer draws one case with; a driver has its own
-  std::vector<std::string> driver_files;  // as in vulkan::list_devices
+  uint32_t subpixel_bits = 8;                // of the renderer; a driver has its own
+  uint32_t threads = 1;                      // that the renderer draws one case with; a driver has its own
+  renderer::Isa isa = renderer::best_isa();  // of the renderer
+  std::vector<std::string> driver_files;     // as in vulkan::list_devices
 };
 
 // The candidates there are: "renderer", "renderer:scanline" (which fills by scanlines instead of by edge functions),
-// and every Vulkan driver by the name that `fillrule devices` shows. Any other name is an error that says so.
+// "faults:NAME" and "cheats:NAME" (the naive rasterizer with that fault, "faults:none" without any, or cheat:
+// harness/faults), and every Vulkan driver by the name that `fillrule devices` shows. Any other name is an error that
+// says so.
 Result<Candidate> make_candidate(const std::string& name, const CandidateOptions& options);
 
 }  // namespace fillrule::run

@@ -34,7 +34,10 @@ TEST(Candidate, AnUnknownNameIsAnErrorThatTellsWhatThereIs) {
   const auto candidate = make_candidate("painter", {});
   ASSERT_FALSE(candidate);
   EXPECT_EQ(candidate.error().what.find("there is no candidate 'painter': no Vulkan device of the driver"), 0U);
-  EXPECT_EQ(candidate.error().hint.find("the candidates are renderer, renderer:scanline and the drivers"), 0U);
+  EXPECT_EQ(
+      candidate.error().hint.find("the candidates are renderer, renderer:scanline, faults:NAME, cheats:NAME and "
+                                  "the drivers"),
+      0U);
   EXPECT_NE(candidate.error().hint.find("'lavapipe'"), std::string::npos);
 }
 
@@ -60,6 +63,18 @@ TEST(Candidate, BothFillsOfTheRendererDrawTheSame) {
     EXPECT_EQ(planes->depth, expected->depth);
     EXPECT_EQ(planes->varyings, expected->varyings);
   }
+}
+
+TEST(Candidate, AFaultOrACheatIsOneByName) {
+  const auto right = make_candidate("faults:none", {});
+  const auto faulty = make_candidate("faults:snap_to_pixels", {});
+  const auto cheat = make_candidate("cheats:blank", {});
+  ASSERT_TRUE(right && faulty && cheat);
+  const Case one = cases().front();
+  EXPECT_NE(right->draw(one, 0)->hits, faulty->draw(one, 0)->hits);
+  EXPECT_EQ(cheat->draw(one, 0)->hits, std::vector<uint32_t>(256, 0));
+  EXPECT_EQ(make_candidate("faults:snap_to_pixel", {}).error().hint, "did you mean \"snap_to_pixels\"?");
+  EXPECT_EQ(make_candidate("cheats:blink", {}).error().hint, "did you mean \"blank\"?");
 }
 
 TEST(SuiteRunner, AMissingReferenceIsAnError) {

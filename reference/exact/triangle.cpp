@@ -219,8 +219,14 @@ void Triangle::set_up_bounds() {
   max_dy_ = *std::max_element(dy.begin(), dy.end());
 }
 
+bool Triangle::has_equal_vertices() const {
+  return vertices_[0] == vertices_[1] || vertices_[1] == vertices_[2] || vertices_[2] == vertices_[0];
+}
+
 bool Triangle::orientation_in_doubt(const Latitude& latitude) const {
-  if (undefined_ || orientation_ == 0 || !in_front_) return true;
+  if (undefined_ || !in_front_) return true;
+  // Vertices of equal bits are rounded alike: without area for certain, unless clipping makes others of them.
+  if (orientation_ == 0) return !inside_volume_ || !has_equal_vertices();
   // Twice the area is the sum of cross products of edges; moving the vertices by d_i changes it by at most
   // sum |d_i x e_i| + sum |d_i x d_j|, three terms each, e_i the opposite edge.
   double change = 6 * latitude.x * latitude.y;

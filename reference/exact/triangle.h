@@ -97,6 +97,7 @@ class Triangle final : public Shape {
   [[nodiscard]] double clip_reach(const ClipPlane& plane, double dx, double dy, const Latitude& latitude) const;
 
  private:
+  [[nodiscard]] bool has_equal_vertices() const;
   void set_up_edges();
   void set_up_planes();
   void set_up_clip_planes();
