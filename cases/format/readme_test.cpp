@@ -68,6 +68,7 @@ TEST(CaseSuite, IsReadWithoutErrors) {
 
 TEST(CaseSuite, EveryCaseIsWrittenAndReadBack) {
   for (const Case& one : load_suite(kCasesFolder, {}).cases) {
+    if (one.scene) continue;  // has no draws before harness/scene makes them, and is tested there
     const std::string written = write(one);
     const CaseFile file = parse(written, one.file, one.name);
     for (const Error& error : file.errors) ADD_FAILURE() << one.name << ": " << to_string(error);

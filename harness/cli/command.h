@@ -21,6 +21,7 @@ void add_devices(CLI::App& app, int& exit_code);
 void add_features(CLI::App& app, int& exit_code);
 void add_stress(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
 
 }  // namespace fillrule::cli

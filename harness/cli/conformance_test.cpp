@@ -8,6 +8,7 @@
 #include "cases/format/suite.h"
 #include "harness/report/terminal.h"
 #include "harness/run/suite_runner.h"
+#include "harness/scene/build.h"
 
 namespace {
 
@@ -31,6 +32,10 @@ class ConformanceTest : public testing::Test {
     ASSERT_TRUE(drawing) << to_string(drawing.error());
     EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::report::case_text(
         {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict});
+    if (drawing->scene_colors) {
+      EXPECT_EQ(drawing->scene_colors->outcome, fillrule::judge::CheckResult::Outcome::kPassed)
+          << drawing->scene_colors->message;
+    }
     const auto again = runner->draw(case_);
     ASSERT_TRUE(again) << to_string(again.error());
     // A case that the device cannot draw has been held against the oracle alone.
@@ -50,7 +55,9 @@ class ConformanceTest : public testing::Test {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  const fillrule::format::Suite suite = fillrule::format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  fillrule::format::Suite suite = fillrule::format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  fillrule::scene::Assets assets;
+  fillrule::scene::build_scenes(suite, assets);
   for (const fillrule::Error& error : suite.errors) std::cerr << to_string(error) << '\n';
   if (!suite.errors.empty() || suite.cases.empty()) return 2;
   for (const Case& one : suite.cases) {

@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "harness/cli/command.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::cli {
 namespace {
@@ -96,6 +97,8 @@ void add_suite_options(CLI::App& command, SuiteOptions& options) {
 
 format::Suite load(const SuiteOptions& options) {
   format::Suite suite = format::load_suite(options.root, options.selectors);
+  scene::Assets assets;
+  scene::build_scenes(suite, assets);
   for (const Error& error : suite.errors) print_error(error);
   return suite;
 }

@@ -38,6 +38,7 @@ struct Drawing {
   Planes candidate;
   std::optional<Planes> reference;
   judge::CaseVerdict verdict;
+  std::optional<judge::CheckResult> scene_colors;  // of a scene, if the candidate can draw it in colour
 };
 
 class SuiteRunner {
