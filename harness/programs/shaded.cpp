@@ -60,6 +60,22 @@ glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const Surf
   return base * diffuse + glm::vec3(uniforms.specular) * specular;
 }
 
+// At so many pixels from the fragment's centre, however far outside of the primitive that is: what a derivative is
+// made from, where the renderer's own weights would stay inside.
+renderer::PixelWeights extrapolated_weights(const renderer::Fragment& fragment, double x, double y) {
+  const renderer::PrimitiveInterpolation& planes = fragment.interpolation;
+  renderer::PixelWeights weights{};
+  double reciprocal_w = 0;
+  for (size_t i = 0; i < 3; ++i) {
+    const double l = planes.per_w[i].at(fragment.x - planes.anchor_x + x, fragment.y - planes.anchor_y + y);
+    reciprocal_w += l;
+    weights.smooth[i] = l;
+    weights.noperspective[i] = l * planes.w[i];
+  }
+  for (double& weight : weights.smooth) weight /= reciprocal_w;
+  return weights;
+}
+
 // The draw with its vertex stage done.
 Draw transformed(const Draw& draw, const ShadingUniforms& uniforms) {
   Draw result = draw;
@@ -122,9 +138,7 @@ ShadedProgram::PrimitiveData ShadedProgram::primitive_data(const renderer::Shade
   return data;
 }
 
-glm::vec2 ShadedProgram::uv_at(const PrimitiveData& data, const renderer::Fragment& fragment,
-                               const renderer::WindowOffset& from_centre) const {
-  const renderer::PixelWeights weights = fragment.weights(from_centre);
+glm::vec2 ShadedProgram::uv_with(const PrimitiveData& data, const renderer::PixelWeights& weights) const {
   const renderer::VertexWeights& chosen = affine_texture_ ? weights.noperspective : weights.smooth;
   const auto& [v0, v1, v2] = data.components;
   const auto value = [&](uint32_t i) { return renderer::interpolate(v0[i], v1[i], v2[i], chosen); };
@@ -138,13 +152,13 @@ SurfacePoint ShadedProgram::point_of(const PrimitiveData& data, const renderer::
   const auto vector = [&](uint32_t i) { return glm::vec3(value(i), value(i + 1), value(i + 2)); };
   SurfacePoint point{.position_world = vector(kPositionComponent), .normal_world = vector(kNormalComponent)};
   if (shading_->uniforms.textured == 0) return point;
-  point.uv = uv_at(data, fragment, {});
+  point.uv = uv_with(data, fragment.weights());
   if (shading_->uniforms.mipmapped == 0) return point;
   // The differences in the quad of pixels that begins at even coordinates ("Derivative Operations").
   const double to_other_x = fragment.x % 2 == 0 ? 1 : -1;
   const double to_other_y = fragment.y % 2 == 0 ? 1 : -1;
-  const glm::vec2 other_x = uv_at(data, fragment, {.x = to_other_x, .y = 0});
-  const glm::vec2 other_y = uv_at(data, fragment, {.x = 0, .y = to_other_y});
+  const glm::vec2 other_x = uv_with(data, extrapolated_weights(fragment, to_other_x, 0));
+  const glm::vec2 other_y = uv_with(data, extrapolated_weights(fragment, 0, to_other_y));
   point.uv_step_x = to_other_x > 0 ? other_x - point.uv : point.uv - other_x;
   point.uv_step_y = to_other_y > 0 ? other_y - point.uv : point.uv - other_y;
   return point;

@@ -45,8 +45,7 @@ class ShadedProgram {
 
  private:
   [[nodiscard]] SurfacePoint point_of(const PrimitiveData& data, const renderer::Fragment& fragment) const;
-  [[nodiscard]] glm::vec2 uv_at(const PrimitiveData& data, const renderer::Fragment& fragment,
-                                const renderer::WindowOffset& from_centre) const;
+  [[nodiscard]] glm::vec2 uv_with(const PrimitiveData& data, const renderer::PixelWeights& weights) const;
 
   VaryingsProgram hits_;  // everything but the colour
   const Draw* draw_;

@@ -27,13 +27,12 @@ double aspect_of(const PerspectiveProjection& perspective, const VkViewport& vie
   return perspective.aspect.value_or(double{viewport.width} / std::abs(double{viewport.height}));
 }
 
+// GLM 0.9.9's left-handed one moves a frustum that is not symmetric to the wrong side, so z is turned over instead.
 glm::dmat4 frustum(const Sides& s, double near, double far, bool left_handed, bool negative_one_to_one) {
-  if (left_handed) {
-    return negative_one_to_one ? glm::frustumLH_NO(s.left, s.right, s.bottom, s.top, near, far)
-                               : glm::frustumLH_ZO(s.left, s.right, s.bottom, s.top, near, far);
-  }
-  return negative_one_to_one ? glm::frustumRH_NO(s.left, s.right, s.bottom, s.top, near, far)
-                             : glm::frustumRH_ZO(s.left, s.right, s.bottom, s.top, near, far);
+  const glm::dmat4 right_handed = negative_one_to_one
+                                      ? glm::frustumRH_NO(s.left, s.right, s.bottom, s.top, near, far)
+                                      : glm::frustumRH_ZO(s.left, s.right, s.bottom, s.top, near, far);
+  return left_handed ? glm::scale(right_handed, {1, 1, -1}) : right_handed;
 }
 
 glm::dmat4 orthographic(const Sides& s, double near, double far, bool left_handed, bool negative_one_to_one) {
