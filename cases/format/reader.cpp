@@ -26,10 +26,10 @@ class FileReader {
       : root_(root), text_(text), diagnostics_(file), values_(evaluator_, diagnostics_) {}
 
   CaseFile read(const std::string& name) {
-    check_keys(
-        {root_, "the case file"},
-        {"title", "why", "spec", "origin", "tags", "opt_out", "target", "state", "varyings", "let", "sweep", "draw", "scene"},
-        diagnostics_);
+    check_keys({root_, "the case file"},
+               {"title", "why", "spec", "origin", "tags", "opt_out", "target", "state", "varyings", "let", "sweep",
+                "draw", "scene"},
+               diagnostics_);
     Case head{.file = diagnostics_.file()};
     read_head(root_, diagnostics_, head);
     const Sweep sweep = read_sweep(root_, text_, evaluator_, diagnostics_);

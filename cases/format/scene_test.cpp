@@ -7,7 +7,6 @@
 namespace fillrule::format {
 namespace {
 
-
 Scene scene_of(const std::string& text) {
   const CaseFile file = parse(kHead + text, "scene.toml", "scene");
   for (const Error& error : file.errors) ADD_FAILURE() << to_string(error);
@@ -61,7 +60,7 @@ material = { texture = "a.png", filter = "nearest", wrap = ["repeat", "clamp_to_
   ASSERT_EQ(scene.objects.size(), 1U);
   const SceneObject& object = scene.objects[0];
   EXPECT_EQ(object.mesh.text, "cube");
-  EXPECT_EQ(object.mesh.line, 14U);
+  EXPECT_EQ(object.mesh.line, 16U);
   EXPECT_EQ(object.normals, Normals::kSmooth);
   EXPECT_EQ(object.transform,
             (Transform{Translate{{1, 0, 0}}, Rotate{{0, 1, 0}, 90}, Rotate{{1, 1, 0}, 30}, Scale{{2, 2, 2}}}));
@@ -104,7 +103,8 @@ TEST(SceneFormat, TellsMistakesWithTheirPlace) {
   EXPECT_THAT(error_of("[scene]\ncamera = { eye = [0, 1, 0], target = [0, 0, 0] }\n" + object),
               HasSubstr("looks along up"));
   EXPECT_THAT(error_of("[scene]\nprojection = { fov_y = 180 }\n" + object), HasSubstr("below 180 degrees, not 180"));
-  EXPECT_THAT(error_of("[scene]\nprojection = { near = 2, far = 1 }\n" + object), HasSubstr("near = 2 is not before"));
+  EXPECT_THAT(error_of("[scene]\nprojection = { near = 2, far = 1 }\n" + object),
+              HasSubstr("near = 2 is not before"));
   EXPECT_THAT(error_of("[scene]\nprojection = { near = 0 }\n" + object), HasSubstr("near must be above 0"));
   EXPECT_THAT(error_of("[scene]\nprojection = { fov_y = 40, frustum = [-1, 1, -1, 1] }\n" + object),
               HasSubstr("more than one kind"));

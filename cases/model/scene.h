@@ -1,5 +1,5 @@
-// A scene: models in a world, seen by a camera under lights. What its geometry and colours are made from; the positions
-// that are drawn are those of the case's draws, made from this by harness/scene.
+// A scene: models in a world, seen by a camera under lights. What its geometry and colours are made from; the
+// positions that are drawn are those of the case's draws, made from this by harness/scene.
 //
 // Plain values. The world is right-handed unless the camera says otherwise; angles are degrees, a positive one turns
 // counter-clockwise as seen from the axis' tip (in a left-handed world: clockwise).

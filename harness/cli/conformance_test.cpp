@@ -35,6 +35,7 @@ class ConformanceTest : public testing::Test {
     if (drawing->scene_colors) {
       EXPECT_EQ(drawing->scene_colors->outcome, fillrule::judge::CheckResult::Outcome::kPassed)
           << drawing->scene_colors->message;
+      EXPECT_EQ(drawing->scene_colors->message, "") << "a fault of the reference";
     }
     const auto again = runner->draw(case_);
     ASSERT_TRUE(again) << to_string(again.error());

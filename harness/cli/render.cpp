@@ -129,11 +129,11 @@ void add_render(CLI::App& app, int& exit_code) {
   command->get_option("cases")->required()->expected(1)->description("a scene's case, or an OBJ file");
   command->add_option("-o,--output", options->output, "a .png or .exr file")->required()->type_name("FILE");
   command
-      ->add_option("--by", options->by, "who draws: renderer, renderer:scanline, or a driver as 'fillrule devices' "
-                                        "names it")
+      ->add_option("--by", options->by,
+                   "who draws: renderer, renderer:scanline, or a driver as 'fillrule devices' "
+                   "names it")
       ->capture_default_str();
-  command
-      ->add_option("--turntable", options->turntable, "so many pictures of the models turning once: FILE_000, ...")
+  command->add_option("--turntable", options->turntable, "so many pictures of the models turning once: FILE_000, ...")
       ->check(CLI::Range(1, 1000));
   command->add_option("--size", options->size, "of the picture instead of the case's")->type_name("WxH");
   command->add_option("--threads", options->threads, "that the renderer draws with")->check(CLI::Range(1, 256));

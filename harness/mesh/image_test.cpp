@@ -25,8 +25,8 @@ TEST(Image, BeginsAtTheTopLeft) {
   const Texture texture = texture_of(kMeshes + "checker.png", Mipmaps::kNone);
   ASSERT_EQ(texture.levels.size(), 1U);
   EXPECT_EQ(texture.levels[0].width, 16U);
-  EXPECT_THAT(texture.levels[0].texels[0], ::testing::ElementsAre(FloatEq(224.0F / 255), FloatEq(64.0F / 255),
-                                                                 FloatEq(48.0F / 255), 1.0F));
+  EXPECT_THAT(texture.levels[0].texels[0],
+              ::testing::ElementsAre(FloatEq(224.0F / 255), FloatEq(64.0F / 255), FloatEq(48.0F / 255), 1.0F));
   EXPECT_FLOAT_EQ(texture.levels[0].texels[4][0], 40.0F / 255);
 }
 
@@ -41,7 +41,8 @@ TEST(Image, HalvesDownToOneTexel) {
   const Texture texture = texture_of(kMeshes + "odd.png", Mipmaps::kLinear);
   std::vector<std::pair<uint32_t, uint32_t>> sizes;
   for (const TextureLevel& level : texture.levels) sizes.emplace_back(level.width, level.height);
-  EXPECT_THAT(sizes, ::testing::ElementsAre(std::pair(13U, 7U), std::pair(6U, 3U), std::pair(3U, 1U), std::pair(1U, 1U)));
+  EXPECT_THAT(sizes,
+              ::testing::ElementsAre(std::pair(13U, 7U), std::pair(6U, 3U), std::pair(3U, 1U), std::pair(1U, 1U)));
   const TextureLevel half = half_of({.width = 2, .height = 1, .texels = {{0, 1, 0, 1}, {1, 0, 0.5F, 0}}});
   EXPECT_EQ(half.texels, (std::vector<Texel>{{0.5F, 0.5F, 0.25F, 0.5F}}));
 }

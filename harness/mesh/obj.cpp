@@ -46,13 +46,14 @@ glm::vec3 normalized(const glm::dvec3& vector) {
 // One triangle of the file.
 struct Triangle {
   std::array<tinyobj::index_t, 3> corners;
-  uint32_t group = 0;  // smoothing group; 0: none
+  uint32_t group = 0;   // smoothing group; 0: none
   glm::dvec3 normal{};  // its length is twice the area
 };
 
 class MeshBuilder {
  public:
-  MeshBuilder(const tinyobj::ObjReader& reader, Normals normals) : attributes_(reader.GetAttrib()), normals_(normals) {
+  MeshBuilder(const tinyobj::ObjReader& reader, Normals normals)
+      : attributes_(reader.GetAttrib()), normals_(normals) {
     for (const tinyobj::shape_t& shape : reader.GetShapes()) add_shape(shape.mesh);
   }
 
@@ -105,8 +106,8 @@ class MeshBuilder {
       case NormalSource::kFile: {
         corner.normal = static_cast<uint32_t>(index.normal_index);
         const size_t first = size_t{corner.normal} * 3;
-        vertex.normal = normalized({attributes_.normals[first], attributes_.normals[first + 1],
-                                    attributes_.normals[first + 2]});
+        vertex.normal =
+            normalized({attributes_.normals[first], attributes_.normals[first + 1], attributes_.normals[first + 2]});
         break;
       }
       case NormalSource::kFace:

@@ -171,21 +171,20 @@ TEST(Obj, ReadsLargeModels) {
 TEST(Obj, ReadsTheModelsThatComeAlong) {
   const std::string folder = FILLRULE_SOURCE_DIR "/cases/meshes/";
   for (const auto& [name, triangles] : std::vector<std::pair<std::string, size_t>>{{"cube", 12},
-                                                                                    {"torus", 576},
-                                                                                    {"icosphere", 320},
-                                                                                    {"plane", 2},
-                                                                                    {"quad", 2},
-                                                                                    {"triangle", 1},
-                                                                                    {"beam", 2},
-                                                                                    {"jug", 1440}}) {
+                                                                                   {"torus", 576},
+                                                                                   {"icosphere", 320},
+                                                                                   {"plane", 2},
+                                                                                   {"quad", 2},
+                                                                                   {"triangle", 1},
+                                                                                   {"beam", 2},
+                                                                                   {"jug", 1440}}) {
     const Result<Mesh> mesh = read_obj(folder + name + ".obj", Normals::kFile);
     ASSERT_TRUE(mesh) << to_string(mesh.error());
     EXPECT_EQ(mesh->indices.size(), 3 * triangles) << name;
     // Seen from outside, triangles are counter-clockwise: their normals are the vertices'.
     for (size_t i = 0; i < mesh->indices.size(); i += 3) {
       const auto at = [&](size_t corner) -> const Vertex& { return mesh->vertices[mesh->indices[i + corner]]; };
-      const glm::vec3 normal =
-          glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
+      const glm::vec3 normal = glm::cross(at(1).position - at(0).position, at(2).position - at(0).position);
       const glm::vec3 mean = at(0).normal + at(1).normal + at(2).normal;
       EXPECT_GE(glm::dot(normal, mean), 0.0F) << name << " triangle " << i / 3;
     }

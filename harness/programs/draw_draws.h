@@ -11,8 +11,8 @@
 
 namespace fillrule::programs {
 
-// The planes of a case before anything is drawn. An error names what the renderer cannot draw, or what is inconsistent
-// in the case.
+// The planes of a case before anything is drawn. An error names what the renderer cannot draw, or what is
+// inconsistent in the case.
 Result<Planes> cleared_planes(const Case& drawn_case);
 
 // `make_program(number of the draw, number of primitives in the draws before, planes)` gives the program that writes

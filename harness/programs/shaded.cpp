@@ -195,9 +195,11 @@ Result<Planes> draw_shaded(const Case& drawn_case, const CaseShading& shading, c
     }
     return draw_shaded(with_vertices_done, without, options);
   }
-  return draw_draws(drawn_case, options, [&](size_t draw, uint32_t first_primitive, Planes& planes) {
-           return ShadedProgram(drawn_case, drawn_case.draws[draw], first_primitive, shading[draw], planes);
-         })
+  return draw_draws(drawn_case, options,
+                    [&](size_t draw, uint32_t first_primitive, Planes& planes) {
+                      return ShadedProgram(drawn_case, drawn_case.draws[draw], first_primitive, shading[draw],
+                                           planes);
+                    })
       .map([](Planes planes) {
         planes.varyings.resize(4);
         return planes;

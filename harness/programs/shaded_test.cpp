@@ -64,7 +64,8 @@ TEST(ShadedColor, ChoosesTheLevelByTheLargerStep) {
   Texture texture{.sampling = {.filter = VK_FILTER_NEAREST, .mipmaps = Mipmaps::kNearest}};
   for (const uint32_t size : {4U, 2U, 1U}) {
     const float value = static_cast<float>(size) / 4;
-    texture.levels.push_back({.width = size, .height = size, .texels = std::vector<Texel>(size_t{size} * size, {value, 0, 0, 1})});
+    texture.levels.push_back(
+        {.width = size, .height = size, .texels = std::vector<Texel>(size_t{size} * size, {value, 0, 0, 1})});
   }
   shading.texture = std::make_shared<const Texture>(texture);
   shading.uniforms.textured = shading.uniforms.mipmapped = 1;

@@ -66,10 +66,8 @@ Texel sample_level(const TextureLevel& level, const Sampling2D& sampling, double
   const int64_t top = floor_to_texel(y - 0.5);
   const double weight_x = std::clamp(x - 0.5 - static_cast<double>(left), 0.0, 1.0);
   const double weight_y = std::clamp(y - 0.5 - static_cast<double>(top), 0.0, 1.0);
-  const Texel upper =
-      mix(texel(level, sampling, left, top), texel(level, sampling, left + 1, top), weight_x);
-  const Texel lower =
-      mix(texel(level, sampling, left, top + 1), texel(level, sampling, left + 1, top + 1), weight_x);
+  const Texel upper = mix(texel(level, sampling, left, top), texel(level, sampling, left + 1, top), weight_x);
+  const Texel lower = mix(texel(level, sampling, left, top + 1), texel(level, sampling, left + 1, top + 1), weight_x);
   return mix(upper, lower, weight_y);
 }
 

@@ -94,10 +94,9 @@ Result<Planes> cleared_planes(const Case& drawn_case) {
   const FeatureSet missing = features_of(drawn_case).without(renderer_features());
   if (!missing.empty()) return failure(fmt::format("the renderer lacks {}", to_string(missing)));
   const Target& target = drawn_case.target;
-  Planes planes =
-      Planes::cleared(target.width, target.height, static_cast<uint32_t>(target.samples),
-                      component_count(drawn_case.varyings),
-                      renderer::quantized_depth(renderer::max_depth_code(target.depth_format), target.clear_depth));
+  Planes planes = Planes::cleared(
+      target.width, target.height, static_cast<uint32_t>(target.samples), component_count(drawn_case.varyings),
+      renderer::quantized_depth(renderer::max_depth_code(target.depth_format), target.clear_depth));
   if (target.depth_format == VK_FORMAT_UNDEFINED) {
     planes.depth.clear();
   }

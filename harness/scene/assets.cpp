@@ -28,11 +28,8 @@ fs::path beside(const std::string& case_file, const std::string& path) {
 
 tl::unexpected<Error> error_at(const std::string& case_file, const ScenePath& name, std::string what,
                                std::string hint = {}) {
-  return tl::unexpected(Error{.file = case_file,
-                              .line = name.line,
-                              .column = name.column,
-                              .what = std::move(what),
-                              .hint = std::move(hint)});
+  return tl::unexpected(Error{
+      .file = case_file, .line = name.line, .column = name.column, .what = std::move(what), .hint = std::move(hint)});
 }
 
 // Where models and images without a path are.
@@ -76,8 +73,9 @@ Result<std::string> texture_path(const std::string& case_file, const ScenePath& 
   for (const fs::path& path : paths) {
     if (is_file(path)) return path.string();
   }
-  return error_at(case_file, name, fmt::format("there is no image \"{}\"", name.text),
-                  format::suggestion(name.text, names_in(folders, {".png", ".bmp"}, true), "those that come along are"));
+  return error_at(
+      case_file, name, fmt::format("there is no image \"{}\"", name.text),
+      format::suggestion(name.text, names_in(folders, {".png", ".bmp"}, true), "those that come along are"));
 }
 
 }  // namespace
@@ -98,10 +96,9 @@ Result<std::shared_ptr<const Texture>> Assets::texture(const std::string& case_f
                                                        const Sampling2D& sampling) {
   const Result<std::string> path = texture_path(case_file, name);
   if (!path) return tl::unexpected(path.error());
-  const std::string key =
-      fmt::format("{} {} {} {} {} {}", static_cast<int>(sampling.filter), static_cast<int>(sampling.wrap_u),
-                  static_cast<int>(sampling.wrap_v), static_cast<int>(sampling.border),
-                  static_cast<int>(sampling.mipmaps), *path);
+  const std::string key = fmt::format("{} {} {} {} {} {}", static_cast<int>(sampling.filter),
+                                      static_cast<int>(sampling.wrap_u), static_cast<int>(sampling.wrap_v),
+                                      static_cast<int>(sampling.border), static_cast<int>(sampling.mipmaps), *path);
   const std::lock_guard lock(mutex_);
   if (const auto found = textures_.find(key); found != textures_.end()) return found->second;
   const auto read = mesh::read_texture(*path, sampling).map([](Texture texture) {

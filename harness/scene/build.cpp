@@ -38,8 +38,7 @@ Result<std::vector<Part>> parts_of(const Case& scene_case, Assets& assets) {
     const Result<MeshPointer> mesh = assets.mesh(scene_case.file, object);
     if (!mesh) return tl::unexpected(mesh.error());
     const glm::dmat4 model = transform_matrix(object.transform);
-    parts.push_back(
-        {.mesh = *mesh, .model = model, .to_clip = to_clip * model, .normal = normal_matrix(model)});
+    parts.push_back({.mesh = *mesh, .model = model, .to_clip = to_clip * model, .normal = normal_matrix(model)});
   }
   return parts;
 }
@@ -54,8 +53,8 @@ void add_vertex(const Part& part, const mesh::Vertex& vertex, Space space, Draw&
       space == Space::kObject ? vertex.normal : glm::vec3(length > 0 ? turned / length : glm::dvec3(0));
   const glm::vec4 position(space == Space::kObject ? object : part.to_clip * object);
   draw.positions.push_back({position.x, position.y, position.z, position.w});
-  draw.varyings.insert(draw.varyings.end(), {world.x, world.y, world.z, normal.x, normal.y, normal.z, vertex.uv.x,
-                                             vertex.uv.y});
+  draw.varyings.insert(draw.varyings.end(),
+                       {world.x, world.y, world.z, normal.x, normal.y, normal.z, vertex.uv.x, vertex.uv.y});
 }
 
 Draw whole_draw(const Part& part, const RasterState& state, Space space) {
@@ -128,10 +127,10 @@ Result<Case> build_in(const Case& scene_case, Assets& assets, Space space) {
   }
   for (const Draw& draw : built.draws) {
     const auto is_finite = [](float value) { return std::isfinite(value); };
-    const bool finite =
-        std::all_of(draw.varyings.begin(), draw.varyings.end(), is_finite) &&
-        std::all_of(draw.positions.begin(), draw.positions.end(),
-                    [&](const ClipPosition& position) { return std::all_of(position.begin(), position.end(), is_finite); });
+    const bool finite = std::all_of(draw.varyings.begin(), draw.varyings.end(), is_finite) &&
+                        std::all_of(draw.positions.begin(), draw.positions.end(), [&](const ClipPosition& position) {
+                          return std::all_of(position.begin(), position.end(), is_finite);
+                        });
     if (finite) continue;
     return tl::unexpected(
         Error{.file = scene_case.file, .what = "a transformed vertex is beyond float32", .hint = "scale the model"});

@@ -1,8 +1,8 @@
 // From a scene to what is drawn.
 //
 // The geometry is transformed on the host once, in double, and rounded to clip-space floats: what comes out is a case
-// like any other, whose coverage, depth and varyings the oracle judges. Its varyings are the position and the normal in
-// the world and the texture coordinates, so that colours are a function of them.
+// like any other, whose coverage, depth and varyings the oracle judges. Its varyings are the position and the normal
+// in the world and the texture coordinates, so that colours are a function of them.
 #pragma once
 
 #include "cases/format/suite.h"
@@ -13,7 +13,8 @@
 
 namespace fillrule::scene {
 
-// The case with its draws and varyings made from its scene, which must be there; as they are seen by the scene's camera.
+// The case with its draws and varyings made from its scene, which must be there; as they are seen by the scene's
+// camera.
 Result<Case> build(const Case& scene_case, Assets& assets);
 
 // Builds every scene of the suite in place. One that cannot be built is taken out, with an error.

@@ -57,7 +57,8 @@ TEST(BuildScene, TransformsPositionsAndNormals) {
 TEST(BuildScene, TransformsNormalsOfSlopesByTheInverse) {
   Assets assets;
   const Case built = built_scene(
-      parsed_scene("[[scene.object]]\nmesh = 'quad'\ntransform = [{ rotate_x = -45 }, { scale = [1, 4, 1] }]\n"), assets);
+      parsed_scene("[[scene.object]]\nmesh = 'quad'\ntransform = [{ rotate_x = -45 }, { scale = [1, 4, 1] }]\n"),
+      assets);
   const float* const normal = &built.draws[0].varyings[3];
   // Along the scaled slope: (0, 4, -1); the normal is at right angles to it.
   EXPECT_NEAR(normal[1] * 4 - normal[2], 0, 1e-6);
@@ -66,12 +67,12 @@ TEST(BuildScene, TransformsNormalsOfSlopesByTheInverse) {
 
 TEST(BuildScene, SortsTrianglesForThePainter) {
   Assets assets;
-  const Case built = built_scene(
-      parsed_scene("[scene]\norder = 'painter'\ncamera = { eye = [0, 0, 9] }\n"
-                   "[[scene.object]]\nmesh = 'quad'\ntransform = [{ translate = [0, 0, 2] }]\n"
-                   "[[scene.object]]\nmesh = 'quad'\n"
-                   "[[scene.object]]\nmesh = 'quad'\ntransform = [{ translate = [0, 0, 3] }]\n"),
-      assets);
+  const Case built =
+      built_scene(parsed_scene("[scene]\norder = 'painter'\ncamera = { eye = [0, 0, 9] }\n"
+                               "[[scene.object]]\nmesh = 'quad'\ntransform = [{ translate = [0, 0, 2] }]\n"
+                               "[[scene.object]]\nmesh = 'quad'\n"
+                               "[[scene.object]]\nmesh = 'quad'\ntransform = [{ translate = [0, 0, 3] }]\n"),
+                  assets);
   EXPECT_THAT(built.scene->object_of_draw, ::testing::ElementsAre(1, 0, 2));
   EXPECT_FALSE(built.draws[0].state.depth_test);
   EXPECT_EQ(primitive_count(built.draws[0]), 2U);
@@ -79,7 +80,8 @@ TEST(BuildScene, SortsTrianglesForThePainter) {
 
 TEST(BuildScene, KeepsSharedVerticesEqual) {
   Assets assets;
-  const Case built = built_scene(parsed_scene("[[scene.object]]\nmesh = 'torus'\ntransform = [{ rotate_x = 33 }]\n"), assets);
+  const Case built =
+      built_scene(parsed_scene("[[scene.object]]\nmesh = 'torus'\ntransform = [{ rotate_x = 33 }]\n"), assets);
   std::set<ClipPosition> distinct(built.draws[0].positions.begin(), built.draws[0].positions.end());
   EXPECT_EQ(distinct.size(), 24U * 12U) << "the seam of the torus is closed";
 }
@@ -93,9 +95,11 @@ TEST(BuildScene, TellsWhatIsMissingAndWhere) {
     const auto shading = shading_of(*built, assets);
     return shading ? std::string("no error") : to_string(shading.error());
   };
-  EXPECT_THAT(error_of("[[scene.object]]\nmesh = 'cubw'\n"),
-              ::testing::AllOf(HasSubstr("a.toml:5:8: there is no model \"cubw\""), HasSubstr("did you mean \"cube\"?")));
-  EXPECT_THAT(error_of("[[scene.object]]\nmesh = 'no/such.obj'\n"), HasSubstr("a.toml:5:8: there is no file no/such.obj"));
+  EXPECT_THAT(
+      error_of("[[scene.object]]\nmesh = 'cubw'\n"),
+      ::testing::AllOf(HasSubstr("a.toml:5:8: there is no model \"cubw\""), HasSubstr("did you mean \"cube\"?")));
+  EXPECT_THAT(error_of("[[scene.object]]\nmesh = 'no/such.obj'\n"),
+              HasSubstr("a.toml:5:8: there is no file no/such.obj"));
   EXPECT_THAT(error_of(kCube + "material = { texture = 'gird.png' }\n"),
               ::testing::AllOf(HasSubstr("a.toml:6:24: there is no image \"gird.png\""), HasSubstr("\"grid.png\"")));
   EXPECT_THAT(error_of(kCube + "transform = [{ scale = 1e38 }, { scale = 1e38 }]\n"), HasSubstr("beyond float32"));

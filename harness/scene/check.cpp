@@ -34,8 +34,7 @@ Result<Subject> subject_of(const Case& built, Assets& assets, uint32_t subpixel_
   if (!object) return tl::unexpected(object.error());
   const Result<TransformError> error = transform_error(*object, *shading, subpixel_bits);
   if (!error) return tl::unexpected(error.error());
-  return Subject{
-      .drawn = std::move(*object), .shading = std::move(*shading), .bits_less = 1, .error = *error};
+  return Subject{.drawn = std::move(*object), .shading = std::move(*shading), .bits_less = 1, .error = *error};
 }
 
 std::string outside_in_words(const PartyColors& colors) {
@@ -96,11 +95,12 @@ judge::CheckResult check_scene(const Case& built, Assets& assets, const Painting
   if (colors.candidate.outside > 0) {
     result.message = outside_in_words(colors.candidate);
   } else if (verdict->planes.candidate_faults() > 0) {
-    result.message = fmt::format("{} samples of the coloured picture are at fault in coverage, owner, facing or depth",
-                                 verdict->planes.candidate_faults());
+    result.message =
+        fmt::format("{} samples of the coloured picture are at fault in coverage, owner, facing or depth",
+                    verdict->planes.candidate_faults());
   } else if (!colors.alike() && colors.reference.outside == 0) {
-    result.message = fmt::format("{} of {} samples differ from the reference's by more than 2/255", colors.apart,
-                                 colors.compared);
+    result.message =
+        fmt::format("{} of {} samples differ from the reference's by more than 2/255", colors.apart, colors.compared);
   } else {
     result.outcome = judge::CheckResult::Outcome::kPassed;
     if (colors.reference.outside > 0) result.message = "reference fault: " + outside_in_words(colors.reference);

@@ -1,8 +1,8 @@
 // A scene's colours as a check of its case: drawn by both parties with the program `shaded`, and judged.
 //
-// Coverage, owners, hits, facing and depth of these pictures are judged by the oracle as those of any case; the colours
-// by judge_colors(). Where the scene says transform_on = "both", the vertex stages transform, and everything is judged
-// with the latitude that transform_error.h derives.
+// Coverage, owners, hits, facing and depth of these pictures are judged by the oracle as those of any case; the
+// colours by judge_colors(). Where the scene says transform_on = "both", the vertex stages transform, and everything
+// is judged with the latitude that transform_error.h derives.
 #pragma once
 
 #include "harness/judge/metamorphic.h"

@@ -54,8 +54,7 @@ Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& ra
     const Interval cosines{cosine - normal.error, cosine + normal.error};
     if (cosines.high <= 0) continue;
     add(light.diffuse, color, {std::max(cosines.low, 0.0), std::min(cosines.high, 1 + 0x1p-20)});
-    const double reflected =
-        2 * cosine * glm::dot(normal.value, to_eye.value) - glm::dot(to_light, to_eye.value);
+    const double reflected = 2 * cosine * glm::dot(normal.value, to_eye.value) - glm::dot(to_light, to_eye.value);
     const double error = 4 * normal.error + 3 * to_eye.error;
     Interval shine = power_of({reflected - error, reflected + error}, uniforms.shininess);
     if (cosines.low <= 0) shine.low = 0;

@@ -45,7 +45,8 @@ programs::DrawShading random_shading(Random& random, bool textured) {
                                .mipmaps = mipmaps[static_cast<size_t>(random.between(0, 3))]}};
   TextureLevel level{.width = 13, .height = 7};
   for (int i = 0; i < 13 * 7; ++i) {
-    level.texels.push_back({static_cast<float>(random.between(0, 1)), static_cast<float>(random.between(0, 1)), 0, 1});
+    level.texels.push_back(
+        {static_cast<float>(random.between(0, 1)), static_cast<float>(random.between(0, 1)), 0, 1});
   }
   texture.levels.push_back(level);
   while (texture.sampling.mipmaps != Mipmaps::kNone && texture.levels.back().width > 1) {

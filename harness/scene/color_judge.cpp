@@ -128,9 +128,10 @@ std::array<float, 3> color_at(const Planes& planes, size_t index) {
 std::string in_words(const Planes& planes, size_t index, const std::array<float, 3>& color,
                      const ColorBounds& bounds) {
   const size_t pixel = index / planes.samples;
-  return fmt::format("({}, {}): colour {:.6f} {:.6f} {:.6f}, allowed {:.6f} to {:.6f}, {:.6f} to {:.6f}, {:.6f} to {:.6f}",
-                     pixel % planes.width, pixel / planes.width, color[0], color[1], color[2], bounds[0].low,
-                     bounds[0].high, bounds[1].low, bounds[1].high, bounds[2].low, bounds[2].high);
+  return fmt::format(
+      "({}, {}): colour {:.6f} {:.6f} {:.6f}, allowed {:.6f} to {:.6f}, {:.6f} to {:.6f}, {:.6f} to {:.6f}",
+      pixel % planes.width, pixel / planes.width, color[0], color[1], color[2], bounds[0].low, bounds[0].high,
+      bounds[1].low, bounds[1].high, bounds[2].low, bounds[2].high);
 }
 
 PartyColors judge_party(const Case& built, const programs::CaseShading& shading, const ColorParty& party,

@@ -77,8 +77,8 @@ glm::dmat4 projection_matrix(const Scene& scene) {
     const double right = top * aspect_of(*perspective, scene.state.viewport);
     matrix = frustum({-right, right, -top, top}, near, far, left_handed, negative_one_to_one);
   } else if (const auto* const sides = std::get_if<FrustumProjection>(&shape)) {
-    matrix = frustum({sides->left, sides->right, sides->bottom, sides->top}, near, far, left_handed,
-                     negative_one_to_one);
+    matrix =
+        frustum({sides->left, sides->right, sides->bottom, sides->top}, near, far, left_handed, negative_one_to_one);
   } else {
     const auto& box = std::get<OrthographicProjection>(shape);
     matrix = orthographic({box.left, box.right, box.bottom, box.top}, near, far, left_handed, negative_one_to_one);

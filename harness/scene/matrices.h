@@ -1,4 +1,5 @@
-// The matrices of a scene, in double. Columns, as GLM and GLSL have them: clip = projection * view * model * position.
+// The matrices of a scene, in double. Columns, as GLM and GLSL have them: clip = projection * view * model *
+// position.
 //
 // Object and world space are as the model says; eye space has x to the right, y up and the view along -z, or along +z
 // in a left-handed world; clip space is Vulkan's, y down, z from 0 to w or from -w to w.

@@ -55,7 +55,9 @@ TEST(Matrices, LookFromTheEyeToTheTarget) {
   for (const Handedness handedness : {Handedness::kRight, Handedness::kLeft}) {
     const Camera camera{.placement = LookAt{.eye = {1, 2, 3}, .target = {1, 2, -7}}, .handedness = handedness};
     const double forwards = handedness == Handedness::kRight ? -1 : 1;
-    const auto eye_space = [&](const glm::dvec3& world) { return glm::dvec3(view_matrix(camera) * glm::dvec4(world, 1)); };
+    const auto eye_space = [&](const glm::dvec3& world) {
+      return glm::dvec3(view_matrix(camera) * glm::dvec4(world, 1));
+    };
     expect_near(eye_space({1, 2, 3}), {0, 0, 0});
     expect_near(eye_space({1, 2, -7}), {0, 0, 10 * forwards});
     expect_near(eye_space({1, 5, 3}), {0, 3, 0});

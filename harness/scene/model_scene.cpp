@@ -40,12 +40,12 @@ Result<Case> scene_of_model(const std::string& path, Assets& assets) {
   // At 3.2 radii the sphere around the model fills 0.76 of 45 degrees.
   constexpr double kDistance = 3.2;
   const glm::dvec3 towards = glm::normalize(glm::dvec3(0.6, 0.45, 1));
-  scene.camera.placement = LookAt{
-      .eye = array_of(centre + towards * (kDistance * radius)), .target = array_of(centre), .up = {0, 1, 0}};
-  scene.projection = {.shape = PerspectiveProjection{},
-                      .near = (kDistance - 1.5) * radius / 2,
-                      .far = (kDistance + 1.5) * radius};
-  scene.lighting = Lighting{.ambient = {0.2, 0.2, 0.2}, .directional = {{.direction = {0.3, -0.8, -1}}}};
+  scene.camera.placement =
+      LookAt{.eye = array_of(centre + towards * (kDistance * radius)), .target = array_of(centre), .up = {0, 1, 0}};
+  scene.projection = {
+      .shape = PerspectiveProjection{}, .near = (kDistance - 1.5) * radius / 2, .far = (kDistance + 1.5) * radius};
+  scene.lighting = Lighting{.ambient = {0.2, 0.2, 0.2},
+                            .directional = {{.direction = {0.3, -0.8, -1}, .color = {0.75, 0.75, 0.75}}}};
   scene.background = {0.1, 0.11, 0.13};
   scene.state.viewport = {.width = kSize, .height = kSize, .maxDepth = 1};
   scene.state.scissor = {.extent = {kSize, kSize}};

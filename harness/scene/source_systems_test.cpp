@@ -1,8 +1,12 @@
 // What the five source systems do, where a picture alone does not show it: pairs of a wrong and a right way, whose
-// pictures differ as they should; and pairs of two ways, whose pictures are the same. harness/README.md has the table.
+// pictures differ as they should; and pairs of two ways, whose pictures are the same. harness/README.md has the
+// table.
 #include <gmock/gmock.h>
 
 #include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <map>
 
 #include "harness/scene/test_scenes.h"
@@ -76,9 +80,9 @@ TEST(SourceA, ThePainterIsRightForAConvexModel) {
   scene.order = DrawOrder::kDepthBuffer;
   scene.state.depth_test = true;
   const Case depth_buffer = built_scene(with_scene(painter, scene), assets);
-  EXPECT_EQ(differing(painted(painter, assets, renderer_painter({})),
-                      painted(depth_buffer, assets, renderer_painter({}))),
-            0U);
+  EXPECT_EQ(
+      differing(painted(painter, assets, renderer_painter({})), painted(depth_buffer, assets, renderer_painter({}))),
+      0U);
 }
 
 TEST(SourceA, TheNearPlaneTakesWhatIsBehindTheEye) {
@@ -100,7 +104,8 @@ TEST(SourceB, AffineTexturesBreakAndPerspectiveOnesDoNot) {
   const Planes perspective = painted_scene("scenes/source_b_floor_perspective");
   EXPECT_GT(differing(affine, perspective), 500U);
   EXPECT_EQ(affine.hits, perspective.hits);
-  // The middle column runs along a border of tiles; mirrored about it, the right picture has light and dark exchanged.
+  // The middle column runs along a border of tiles; mirrored about it, the right picture has light and dark
+  // exchanged.
   const auto asymmetric = [](const Planes& planes) {
     size_t count = 0;
     for (size_t y = 0; y < planes.height; ++y) {
@@ -232,7 +237,8 @@ TEST(SourceD, AFieldOfViewIsAFrustum) {
   Assets assets;
   const std::string object = "[[scene.object]]\nmesh = 'torus'\n";
   const double top = std::tan(std::acos(-1) / 8);  // of 45 degrees
-  const Case by_angle = built_scene(parsed_scene("[scene]\nprojection = { fov_y = 45, near = 1, far = 9 }\n" + object), assets);
+  const Case by_angle =
+      built_scene(parsed_scene("[scene]\nprojection = { fov_y = 45, near = 1, far = 9 }\n" + object), assets);
   Scene scene = *by_angle.scene;
   scene.projection.shape = FrustumProjection{-top, top, -top, top};
   const Case by_sides = built_scene(with_scene(by_angle, scene), assets);
@@ -259,6 +265,24 @@ TEST(SourceE, DepthIsLinearInTheWindow) {
     EXPECT_NEAR(bend, 0, 4e-7);
   }
   EXPECT_GT(inside, 15U);
+}
+
+// The table names files that are there, and of the scenes of source systems all.
+TEST(SourceSystems, AreAllInTheTable) {
+  const std::string harness = FILLRULE_SOURCE_DIR "/harness/";
+  std::ifstream stream(harness + "README.md");
+  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  size_t links = 0;
+  for (size_t at = text.find("](../"); at != std::string::npos; at = text.find("](../", at + 1)) {
+    const std::string path = text.substr(at + 2, text.find(')', at) - at - 2);
+    EXPECT_TRUE(std::filesystem::exists(harness + path)) << path;
+    ++links;
+  }
+  EXPECT_GT(links, 60U);
+  for (const auto& entry : std::filesystem::directory_iterator(kCases + "/scenes")) {
+    const std::string name = entry.path().filename().string();
+    EXPECT_TRUE(!name.starts_with("source_") || text.find(name) != std::string::npos) << name;
+  }
 }
 
 }  // namespace

@@ -154,8 +154,8 @@ ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, cons
   const double error = std::exp2(-double(precision.mipmap_bits));
   ColorBounds bounds = kNothing;
   if (sampling.mipmaps == Mipmaps::kNearest) {
-    for (double level = std::max(std::ceil(lod.low + 0.5) - 1, 0.0); level <= std::min(std::floor(lod.high + 0.5), last);
-         ++level) {
+    for (double level = std::max(std::ceil(lod.low + 0.5) - 1, 0.0);
+         level <= std::min(std::floor(lod.high + 0.5), last); ++level) {
       include(bounds, of_level(level));
     }
     return bounds;

@@ -45,8 +45,8 @@ Result<TransformError> transform_error(const Case& object, const programs::CaseS
       const auto& [x, y, z, w] = draw.positions[vertex];
       const glm::dvec4 position(x, y, z, w);
       const glm::dvec4 world = model * glm::abs(position);
-      const glm::dvec4 clip = glm::dmat4(uniforms.projection) * glm::dmat4(uniforms.view) *
-                              glm::dmat4(uniforms.model) * position;
+      const glm::dvec4 clip =
+          glm::dmat4(uniforms.projection) * glm::dmat4(uniforms.view) * glm::dmat4(uniforms.model) * position;
       const double moved = window_error(clip, 16 * kUnit * (to_clip * world), draw.state.viewport);
       if (!(moved <= allowed)) {
         return failure(fmt::format("a vertex at w = {} may be off by {} pixels where the vertex stage transforms",

@@ -1,8 +1,8 @@
 // What a program reads beside its vertices: for each draw a uniform block and a sampled image, in descriptor set 0 at
 // the bindings 0 and 1. Vulkan specification, "Resource Descriptors", "Samplers".
 //
-// Both bindings of every set are written, the image of a draw without a texture being one white texel: lavapipe breaks
-// down at a combined image sampler that is not, even where no shader reads it.
+// Both bindings of every set are written, the image of a draw without a texture being one white texel: lavapipe
+// breaks down at a combined image sampler that is not, even where no shader reads it.
 #pragma once
 
 #include <cstddef>
@@ -14,6 +14,7 @@
 
 #include "reference/vulkan/device.h"
 #include "reference/vulkan/reference.h"
+#include "reference/vulkan/sampled_image.h"
 
 namespace fillrule::vulkan {
 
@@ -28,24 +29,12 @@ class ResourceBinder {
   Result<std::vector<VkDescriptorSet>> bind(std::span<const DrawResources> draws);
 
  private:
-  // A texture on the device.
-  struct SampledImage {
-    std::shared_ptr<const Texture> texture;
-    Memory memory;  // before the image, so that it goes after it
-    Image image;
-    ImageView view;
-    Sampler sampler;
-  };
-
   explicit ResourceBinder(const Device& device) : device_(&device) {}
   Result<void> create_layout();
   Result<void> create_commands();
   Result<void> fit(uint32_t sets);
   void drop_unused_images();
   Result<const SampledImage*> find_or_create(const std::shared_ptr<const Texture>& texture);
-  Result<void> create_image(SampledImage& sampled) const;
-  Result<void> create_view_and_sampler(SampledImage& sampled) const;
-  Result<void> upload(const SampledImage& sampled) const;
   void write(VkDescriptorSet set, uint64_t uniform_offset, const SampledImage& image) const;
 
   const Device* device_;
