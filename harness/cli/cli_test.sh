@@ -114,6 +114,28 @@ expect 2 'cells of 5 x 5 px' "$fillrule" exhaust --size 5
 expect 2 "there is no candidate 'painter'" "$fillrule" exhaust --candidate painter
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" exhaust --reference voodoo
 
+# Scenes in colour.
+expect 0 "$work/cube.png" "$fillrule" render scenes/textured_cube -o "$work/cube.png"
+expect 0 "$work/driver.exr" "$fillrule" render scenes/textured_cube -o "$work/driver.exr" --by lavapipe --size 64x32
+expect 0 "$work/turn_002.png" "$fillrule" render scenes/textured_cube -o "$work/turn.png" --turntable 3 --size 32x32
+[ -s "$work/cube.png" ] && [ -s "$work/driver.exr" ] && [ -s "$work/turn_000.png" ] ||
+  { echo 'FAILED: no renderings'; failures=$((failures + 1)); }
+if cmp -s "$work/turn_000.png" "$work/turn_001.png"; then echo 'FAILED: the table does not turn'; failures=$((failures + 1)); fi
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/own/model.obj"
+expect 0 "$work/model.png" "$fillrule" render own/model.obj -o "$work/model.png"
+printf 'v 0 0 0\nf 1 2 3\n' >"$work/own/broken.obj"
+expect 2 'broken.obj:2:5: 2 in "2" names no "v"' "$fillrule" render own/broken.obj -o "$work/model.png"
+printf '%s\n[[scene.object]]\nmesh = "cubw"\n' "$head" >"$work/own/scene.toml"
+expect 2 'did you mean "cube"' "$fillrule" run own/scene.toml
+printf '%s\n[[scene.object]]\nmesh = "cube"\n' "$head" >"$work/own/scene.toml"
+expect 0 '1 passed' "$fillrule" run own/scene.toml
+rm own/scene.toml own/model.obj own/broken.obj
+expect 2 'is no scene' "$fillrule" render 'coverage/shared_diagonal[diagonal=0,shift_x=0]' -o "$work/a.png"
+expect 2 'cases match' "$fillrule" render scenes/mipmaps -o "$work/a.png"
+expect 2 'neither .png nor .exr' "$fillrule" render scenes/textured_cube -o "$work/a.jpg"
+expect 2 'WIDTHxHEIGHT' "$fillrule" render scenes/textured_cube -o "$work/a.png" --size 64
+expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" render scenes/textured_cube -o "$work/a.png" --by voodoo
+
 # One sample, and random triangles.
 expect 0 'The sample lies' "$fillrule" explain own/good.toml --pixel 4,4
 expect 2 'pixel 99,4 is not in the target of 16 x 16 pixels' "$fillrule" explain own/good.toml --pixel 99,4

@@ -11,6 +11,7 @@
 
 #include "harness/cli/command.h"
 #include "harness/report/printable.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::cli {
 namespace {
@@ -113,7 +114,7 @@ void add_suite_options(CLI::App& command, SuiteOptions& options) {
 }
 
 format::Suite load(const SuiteOptions& options) {
-  format::Suite suite = format::load_suite(options.root, options.selectors);
+  format::Suite suite = scene::load_suite(options.root, options.selectors);
   for (const Error& error : suite.errors) print_error(error);
   return suite;
 }

@@ -12,6 +12,7 @@
 #include "cases/format/suite.h"
 #include "harness/faults/rasterizer.h"
 #include "harness/judge/judge.h"
+#include "harness/scene/build.h"
 #include "reference/exact/expectation.h"
 
 namespace fillrule::faults {
@@ -73,7 +74,7 @@ class CheatTest : public testing::TestWithParam<CheatEntry> {};
 
 // Values are held to the profile `precise`, as the renderer's are: without it they may miss by 64 times their bound.
 TEST_P(CheatTest, FailsEveryCaseThatItIsWrongIn) {
-  const format::Suite suite = format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  const format::Suite suite = scene::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
   ASSERT_TRUE(suite.errors.empty());
   size_t wrong = 0;
   for (const Case& one : suite.cases) {
