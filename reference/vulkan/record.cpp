@@ -171,7 +171,7 @@ void record_pass(VkCommandBuffer commands, const PipelineCache& pipelines, VkBuf
     if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     bound = pipeline;
     if (!job.resource_sets.empty()) {
-      vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, layout, 0, 1,
+      vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1,
                               &job.resource_sets[uploaded.index], 0, nullptr);
     }
     set_state(commands, uploaded);
