@@ -107,6 +107,17 @@ follow explain "$fillrule" stress --triangles 400 --families mixed_w --expected 
 printf '%s\n[[draw]]\nspace = "framebuffer"\npositions = [[1, 1], ["10.5 + 1/64", 1], ["10.5 + 1/64", 15]]\n' "$head" >"$work/own/good.toml"
 expect 0 '1 passed' "$fillrule" run own/good.toml --subpixel-bits 4
 
+# Classic faults, made on purpose.
+expect 0 'affine_varyings: smooth varyings' "$fillrule" faults --list
+expect 2 'did you mean "line_ties"?' "$fillrule" faults line_tie
+expect 2 'did you mean "line_ties"?' "$fillrule" run own/good.toml --candidate faults:line_tie
+expect 1 'FAILED  good' "$fillrule" run own/good.toml --candidate faults:pixel_corners --reference none
+expect 0 '1 passed' "$fillrule" run own/good.toml --candidate faults:none --reference none
+mkdir one && cp own/good.toml one/
+expect 1 'NOT CAUGHT pixel_corners     1 cases' "$fillrule" faults pixel_corners --suite one --json faults.json --markdown faults.md
+expect_file faults.json '"caught_by": 1'
+expect_file faults.md '| `pixel_corners` |'
+
 # The small world.
 expect 0 'lavapipe: equal to the oracle on all triangles' "$fillrule" exhaust --grid 2 --size 2
 expect 2 'a grid of 1/3 px' "$fillrule" exhaust --grid 3
