@@ -15,8 +15,8 @@ namespace fillrule::report {
 std::string coverage_pattern(const Case& test_case, const run::Drawing& drawing, bool of_reference,
                              std::span<const SampleMark> marks, std::span<const explain::Explanation> explanations);
 
-// "the picture is shifted by a pixel to the right": where the party's picture, if it were put elsewhere, would be
-// right throughout; empty where it would not.
+// "as if the picture were shifted by a pixel to the right": where the party's picture, if it were put elsewhere,
+// would be right throughout; empty where it would not.
 std::string displacement_of(const run::Drawing& drawing, bool of_reference);
 
 }  // namespace fillrule::report

@@ -187,7 +187,7 @@ export function drawInspector(app, element) {
     h("p", { class: "reason", id: "reason" }, reasonOf(data, index)),
     h("h3", {}, key),
     rows(data.isInteger(key) ? integerRows(data, key, index) : floatRows(data, key, index)),
-    planesTable(app, index),
+    h("div", { class: "scroll" }, planesTable(app, index)),
     explained && explained.views.map((view) => viewBlock(data, view, index)),
     command && h("section", { class: "command" }, h("h3", {}, "The same on the command line"), h("pre", {}, command)),
   );

@@ -126,14 +126,14 @@ export class CaseList {
   }
 
   row(one) {
-    const open = one.hasPlanes && h("button", { class: "link name", onclick: () => this.app.open(one.index) }, one.name);
+    const open = one.hasPlanes && h("button", { class: "link name", title: one.name, onclick: () => this.app.open(one.index) }, one.name);
     const cells = COLUMNS.slice(1).map((column) => {
       const value = one[column.key];
       const text = column.text ? column.text(value) : column.number ? value.toLocaleString("en") : value;
       return h("td", { class: column.number ? "number" : column.key }, text);
     });
     const known = one.reference_faults > 0 ? (one.new_faults ? "new" : "known") : undefined;
-    return h("tr", { "data-name": one.name, class: one.index === this.app.state.index ? "chosen" : undefined, "data-status": one.status, "data-known": known }, h("td", {}, open || h("span", { class: "name" }, one.name)), cells);
+    return h("tr", { "data-name": one.name, class: one.index === this.app.state.index ? "chosen" : undefined, "data-status": one.status, "data-known": known }, h("td", {}, open || h("span", { class: "name", title: one.name }, one.name)), cells);
   }
 
   draw() {

@@ -87,7 +87,7 @@ const SENTENCES = [
   ["scissor_ignored", "clipping/scissor", /must not be covered/, /scissor/],
   ["no_depth_clip", "clipping/near_plane_perspective", /must not be covered/, /near plane/],
   ["samples_at_corners", "coverage/rotated_quad", /must (not )?be covered/, /edge|shifted/],
-  ["top_right_rule", "coverage/vertex_on_pixel_centre", /must (not )?be covered|fragments/, /edge/],
+  ["top_right_rule", "coverage/vertex_on_pixel_centre", /must (not )?be covered/, /exactly on an edge, where the top-left rule decides/],
   ["shifted", "coverage/rotated_quad", /must (not )?be covered/, /shifted by a pixel to the right/],
   ["varyings_swapped", "interpolation/eight_varyings", /wrong value to the varying/, /what .* should hold/],
   ["nan", "interpolation/vertex_order", /wrong value to the varying/, /not a finite number/],
