@@ -97,11 +97,6 @@ void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", report::printable_lines(to_string(error)));
 }
 
-std::string default_root() {
-  const std::string here = "cases";
-  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
-}
-
 void add_suite_options(CLI::App& command, SuiteOptions& options) {
   options.root = default_root();
   command
