@@ -59,27 +59,52 @@ bool settle(const PixelRect& rect, const std::array<EdgeFunction, 3>& edges, Pie
   return true;
 }
 
-// The pixels of a block that are inside of an edge which crosses it. Within the block |value| is at most
-// 7 * (|step_x| + |step_y|), since both signs occur: Integer needs room for that and one step more.
-template <typename Integer>
-uint64_t edge_mask(int64_t at_top_left, const EdgeFunction& edge) {
+// The pixels of a block that are inside of an edge which crosses it, for edges too steep for int32.
+uint64_t steep_edge_mask(int64_t at_top_left, const EdgeFunction& edge) {
   uint64_t mask = 0;
-  auto row_value = static_cast<Integer>(at_top_left);
   for (uint32_t row = 0; row < kBlockSize; ++row) {
-    Integer value = row_value;
-    uint32_t row_mask = 0;
     for (uint32_t column = 0; column < kBlockSize; ++column) {
-      row_mask |= static_cast<uint32_t>(value >= 0) << column;
-      value += static_cast<Integer>(edge.step_x);
+      const int64_t value = at_top_left + int64_t{edge.step_x} * column + int64_t{edge.step_y} * row;
+      mask |= static_cast<uint64_t>(value >= 0) << (row * kBlockSize + column);
     }
-    mask |= uint64_t{row_mask} << (row * kBlockSize);
-    row_value += static_cast<Integer>(edge.step_y);
   }
   return mask;
 }
 
-uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
+// The edges of a piece that cross a block, by their values at its top left pixel; the others are 0 throughout. Within
+// the block |value| is at most 7 * (|step_x| + |step_y|), since both signs occur, and one step more is taken.
+struct CrossingEdges {
+  std::array<int32_t, 3> at_top_left{};
+  std::array<int32_t, 3> step_x{};
+  std::array<int32_t, 3> step_y{};
+};
+
+// The pixels inside of all these edges: lanes are rows, one column after the other.
+template <typename L>
+[[gnu::always_inline]] inline uint64_t crossing_mask(const CrossingEdges& edges) {
+  uint64_t outside = 0;
+  for (int32_t row = 0; row < kBlockSize; row += static_cast<int32_t>(L::kWidth)) {
+    const typename L::Int rows = L::numbers() + row;
+    typename L::Int value0 = rows * edges.step_y[0] + edges.at_top_left[0];
+    typename L::Int value1 = rows * edges.step_y[1] + edges.at_top_left[1];
+    typename L::Int value2 = rows * edges.step_y[2] + edges.at_top_left[2];
+    typename L::Int outside_rows = L::numbers() & 0;
+    for (int32_t column = 0; column < kBlockSize; ++column) {
+      outside_rows = outside_rows | (((value0 | value1 | value2) >> 31) & (1 << column));
+      value0 = value0 + edges.step_x[0];
+      value1 = value1 + edges.step_x[1];
+      value2 = value2 + edges.step_x[2];
+    }
+    outside |= L::low_bytes(outside_rows) << static_cast<uint32_t>(row * kBlockSize);
+  }
+  return ~outside;
+}
+
+template <typename L>
+[[gnu::always_inline]] inline uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
   uint64_t mask = kFullMask;
+  CrossingEdges crossing;
+  bool crosses = false;
   for (uint32_t i = 0; i < piece.count; ++i) {
     const EdgeFunction& edge = piece.edges[i];
     const int64_t at_top_left = edge.at(x, y);
@@ -89,15 +114,24 @@ uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
     }
     if (range.least < 0) {
       constexpr int64_t kNarrow = int64_t{1} << 27;
-      const bool is_narrow = std::abs(int64_t{edge.step_x}) + std::abs(int64_t{edge.step_y}) < kNarrow;
-      mask &= is_narrow ? edge_mask<int32_t>(at_top_left, edge) : edge_mask<int64_t>(at_top_left, edge);
+      if (std::abs(int64_t{edge.step_x}) + std::abs(int64_t{edge.step_y}) >= kNarrow) {
+        mask &= steep_edge_mask(at_top_left, edge);
+      } else {
+        crossing.at_top_left[i] = static_cast<int32_t>(at_top_left);
+        crossing.step_x[i] = edge.step_x;
+        crossing.step_y[i] = edge.step_y;
+        crosses = true;
+      }
     }
   }
-  return mask;
+  return crosses ? mask & crossing_mask<L>(crossing) : mask;
 }
 
 // The pixels of the 8x8 block at (x, y) that are in the rectangle, which may be anywhere.
 uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
+  if (x >= rect.left && y >= rect.top && x + kBlockSize <= rect.right && y + kBlockSize <= rect.bottom) {
+    return kFullMask;
+  }
   // Bits [low, high) of 8: the columns, or the rows, of the block between two coordinates.
   const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
     const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
@@ -160,13 +194,16 @@ void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition&
 }  // namespace
 
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
-           const PixelRect& rect, TileCoverage& coverage) {
+           const PixelRect& rect, TileCoverage& coverage, Isa isa) {
   coverage.count = 0;
-  if (rect.width() <= kBlockSize && rect.height() <= kBlockSize) {
+  const int32_t block_x = rect.left & ~(kBlockSize - 1);
+  const int32_t block_y = rect.top & ~(kBlockSize - 1);
+  if (rect.right <= block_x + kBlockSize && rect.bottom <= block_y + kBlockSize) {
     uint64_t mask = 0;
     for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
+    mask <<= static_cast<uint32_t>((rect.top - block_y) * kBlockSize + rect.left - block_x);
     if (mask != 0) {
-      coverage.blocks[coverage.count++] = {rect.left, rect.top, mask};
+      coverage.blocks[coverage.count++] = {block_x, block_y, mask};
     }
     return;
   }
@@ -186,18 +223,21 @@ void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_f
   }
 
   // Step 2: block by block.
-  for (int32_t y = blocks.top; y < blocks.bottom; y += kBlockSize) {
-    for (int32_t x = blocks.left; x < blocks.right; x += kBlockSize) {
-      uint64_t mask = 0;
-      for (uint32_t i = 0; i < active.count; ++i) {
-        mask ^= block_mask(active.pieces[i], x, y);
-      }
-      mask &= rect_mask(rect, x, y);
-      if (mask != 0) {
-        coverage.blocks[coverage.count++] = {x, y, mask};
-      }
-    }
-  }
+  dispatch(
+      isa, [&]<typename L>() __attribute__((always_inline)) {
+        for (int32_t y = blocks.top; y < blocks.bottom; y += kBlockSize) {
+          for (int32_t x = blocks.left; x < blocks.right; x += kBlockSize) {
+            uint64_t mask = 0;
+            for (uint32_t i = 0; i < active.count; ++i) {
+              mask ^= block_mask<L>(active.pieces[i], x, y);
+            }
+            mask &= rect_mask(rect, x, y);
+            if (mask != 0) {
+              coverage.blocks[coverage.count++] = {x, y, mask};
+            }
+          }
+        }
+      });
 }
 
 uint32_t SampledBlock::samples_at(uint32_t bit) const {
@@ -216,7 +256,7 @@ void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, con
   } else if (rule.fill == Fill::kScanline) {
     cover_by_scanlines(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
   } else {
-    cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage);
+    cover(outline, sample_fixed, rule.subpixel_bits, rect, coverage, rule.isa);
   }
 }
 

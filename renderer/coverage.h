@@ -11,6 +11,7 @@
 
 #include "cases/model/case.h"
 #include "renderer/fixed_point.h"
+#include "renderer/isa.h"
 
 namespace fillrule::renderer {
 
@@ -34,7 +35,7 @@ struct TileCoverage {
 // outline has at most kMaxPolygonVertices: a triangle, what clipping left of one, a line's rectangle, a point's
 // square.
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
-           const PixelRect& rect, TileCoverage& coverage);
+           const PixelRect& rect, TileCoverage& coverage, Isa isa = Isa::kScalar);
 
 // Two ways to the same coverage.
 enum class Fill : uint8_t {
@@ -47,6 +48,7 @@ struct CoverageRule {
   Fill fill = Fill::kEdgeFunction;
   uint32_t subpixel_bits = kMaxSubpixelBits;
   uint32_t bresenham_width = 1;  // pixels
+  Isa isa = Isa::kScalar;        // of kEdgeFunction
 };
 
 // By the chosen fill. An outline of two vertices is a Bresenham line from the first to the second, whose pixels are

@@ -9,6 +9,7 @@
 #include <span>
 
 #include "cases/model/case.h"
+#include "renderer/lanes.h"
 
 namespace fillrule::renderer {
 
@@ -20,16 +21,29 @@ struct DepthBuffer {
   VkFormat format = VK_FORMAT_D32_SFLOAT;  // or D16_UNORM, X8_D24_UNORM_PACK32
 };
 
-// VkCompareOp is a set of outcomes: bit 0 less, bit 1 equal, bit 2 greater.
-static_assert(VK_COMPARE_OP_NEVER == 0 && VK_COMPARE_OP_LESS == 1 && VK_COMPARE_OP_EQUAL == 2 &&
-              VK_COMPARE_OP_LESS_OR_EQUAL == (1 | 2) && VK_COMPARE_OP_GREATER == 4 &&
-              VK_COMPARE_OP_NOT_EQUAL == (1 | 4) && VK_COMPARE_OP_GREATER_OR_EQUAL == (2 | 4) &&
-              VK_COMPARE_OP_ALWAYS == (1 | 2 | 4));
-
-// Whether the fragment's depth `op` the stored depth holds.
-inline bool depth_passes(VkCompareOp op, float fragment, float stored) {
-  const uint32_t outcome = fragment < stored ? 1U : (fragment == stored ? 2U : 4U);
-  return (static_cast<uint32_t>(op) & outcome) != 0;
+// Whether the fragment's depth `op` the stored depth holds; "greater" is all that is neither less nor equal.
+template <typename L = ScalarLanes>
+[[gnu::always_inline]] inline typename L::Mask depth_passes(VkCompareOp op, const typename L::Float& fragment,
+                                                            const typename L::Float& stored) {
+  if (op == VK_COMPARE_OP_LESS) {
+    return fragment < stored;
+  }
+  switch (op) {
+    case VK_COMPARE_OP_EQUAL:
+      return fragment == stored;
+    case VK_COMPARE_OP_LESS_OR_EQUAL:
+      return fragment <= stored;
+    case VK_COMPARE_OP_GREATER:
+      return L::negated(fragment <= stored);
+    case VK_COMPARE_OP_NOT_EQUAL:
+      return L::negated(fragment == stored);
+    case VK_COMPARE_OP_GREATER_OR_EQUAL:
+      return L::negated(fragment < stored);
+    case VK_COMPARE_OP_ALWAYS:
+      return L::mask_of(~0U);
+    default:
+      return L::mask_of(0);
+  }
 }
 
 // The greatest code, 2^n - 1, of a fixed-point format of n bits; 0 for a floating-point one.
@@ -46,14 +60,16 @@ constexpr uint32_t max_depth_code(VkFormat format) {
 
 // What an attachment whose greatest code is `max_code` holds of a depth within [0, 1]: the nearest code to the
 // product in float32, ties to even, as the reference drivers have it.
-inline float quantized_depth(uint32_t max_code, float depth_framebuffer) {
+template <typename L = ScalarLanes>
+[[gnu::always_inline]] inline typename L::Float quantized_depth(uint32_t max_code,
+                                                                const typename L::Float& depth_framebuffer) {
   if (max_code == 0) {
     return depth_framebuffer;
   }
-  const float product = depth_framebuffer * static_cast<float>(max_code);
-  constexpr double kNoFraction = 0x1.8p52;  // adding it rounds to nearest even
-  const double code = (double{product} + kNoFraction) - kNoFraction;
-  return static_cast<float>(code / max_code);
+  const typename L::Float product = depth_framebuffer * L::all(static_cast<float>(max_code));
+  const typename L::Double no_fraction = L::all(0x1.8p52);  // adding it rounds to nearest even
+  const typename L::Double code = (L::to_double(product) + no_fraction) - no_fraction;
+  return L::to_float(code / L::all(static_cast<double>(max_code)));
 }
 
 // From the depth of normalized device coordinates to the framebuffer's: z * scale + offset (Vulkan, "Controlling the
@@ -85,38 +101,45 @@ class DepthStage {
         max_code_(max_depth_code(buffer.format)) {
     if (state.depth_clamp) {
       const auto& [least, greatest] = std::minmax(state.viewport.minDepth, state.viewport.maxDepth);
-      least_ = double{least} + 0.0;  // of -0, +0
-      greatest_ = double{greatest};
+      least_ = least + 0.0F;  // of -0, +0
+      greatest_ = greatest;
     }
   }
 
   // Whether fragments are tested at all.
   [[nodiscard]] bool tests() const { return test_ || bounds_test_; }
 
-  // Whether a fragment of this depth lands on a sample that holds `stored`; writes its own depth if it does.
-  bool lands(double depth_framebuffer, float& stored) const {
-    if (bounds_test_ && !(stored >= bounds_.min && stored <= bounds_.max)) {
-      return false;
+  // Which of the fragments of these depths land on samples that hold `stored`, of those in `fragments`; those that do
+  // write their depths to it.
+  template <typename L = ScalarLanes>
+  [[gnu::always_inline]] typename L::Mask lands(const typename L::Double& depth_framebuffer,
+                                                typename L::Mask fragments, typename L::Float& stored) const {
+    if (bounds_test_) {
+      fragments = fragments & (stored >= L::all(bounds_.min)) & (stored <= L::all(bounds_.max));
     }
     if (!test_) {
-      return true;
+      return fragments;
     }
-    const float depth = attachment_depth(depth_framebuffer);
-    if (!depth_passes(compare_, depth, stored)) {
-      return false;
-    }
+    const typename L::Float depth = attachment_depth<L>(depth_framebuffer);
+    fragments = fragments & depth_passes<L>(compare_, depth, stored);
     if (write_) {
-      stored = depth;
+      stored = fragments ? depth : stored;
     }
-    return true;
+    return fragments;
   }
 
   // As the attachment would hold it. Where depths are not clamped to the viewport's range they are clamped to [0, 1],
   // as the reference drivers do: snapping lets a pixel lie outside of the unsnapped triangle, and without depth
-  // clipping all of it may (Vulkan leaves those values open). -0 becomes +0.
-  [[nodiscard]] float attachment_depth(double depth_framebuffer) const {
-    const double clamped = std::min(std::max(least_, depth_framebuffer), greatest_);
-    return quantized_depth(max_code_, static_cast<float>(clamped));
+  // clipping all of it may (Vulkan leaves those values open). -0 and NaN become the least depth. The ends of the
+  // range are floats, so that rounding first changes nothing.
+  template <typename L = ScalarLanes>
+  [[gnu::always_inline]] typename L::Float attachment_depth(const typename L::Double& depth_framebuffer) const {
+    const typename L::Float least = L::all(least_);
+    const typename L::Float greatest = L::all(greatest_);
+    typename L::Float depth = L::to_float(depth_framebuffer);
+    depth = least < depth ? depth : least;
+    depth = greatest < depth ? greatest : depth;
+    return quantized_depth<L>(max_code_, depth);
   }
 
  private:
@@ -126,8 +149,8 @@ class DepthStage {
   VkCompareOp compare_;
   DepthBounds bounds_;
   uint32_t max_code_;
-  double least_ = 0;
-  double greatest_ = 1;
+  float least_ = 0;
+  float greatest_ = 1;
 };
 
 }  // namespace fillrule::renderer

@@ -12,6 +12,7 @@
 
 #include "cases/model/result.h"
 #include "renderer/prepared_draw.h"
+#include "renderer/shade_tile.h"
 #include "renderer/shading.h"
 #include "renderer/tile_bins.h"
 #include "renderer/worker_pool.h"
@@ -72,12 +73,16 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
     }
     workers.parallel_for(grid.count(), cost, [&](size_t tile) {
       const auto index = static_cast<uint32_t>(tile);
-      if (input.samples == 1) {
-        internal::shade_tile<TileCoverage>(*prepared, program, positions_clip, grid.pixels(index), index, batch);
-      } else {
-        internal::shade_tile<SampledTileCoverage>(*prepared, program, positions_clip, grid.pixels(index), index,
-                                                  batch);
-      }
+      dispatch(
+          prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
+            if (input.samples == 1) {
+              internal::shade_tile<L, TileCoverage>(*prepared, program, positions_clip, grid.pixels(index), index,
+                                                    batch);
+            } else {
+              internal::shade_tile<L, SampledTileCoverage>(*prepared, program, positions_clip, grid.pixels(index),
+                                                           index, batch);
+            }
+          });
     });
   }
   return {};

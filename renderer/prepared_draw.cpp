@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string_view>
 
 #include "renderer/bresenham_line.h"
 #include "renderer/outlines.h"
@@ -71,7 +72,7 @@ Result<void> check_lines_and_points(const DrawInput& input) {
   const RasterState& state = input.state;
   const Shape shape = shape_of(input.vertices.topology, state.polygon_mode);
   if (shape == Shape::kLine && !(state.line_width > 0 && state.line_width <= kMaxLineWidth)) {
-    return failure(fmt::format("line width {}", state.line_width), fmt::format("above 0, at most {}", kMaxLineWidth));
+    return failure(fmt::format("line_width is {}", state.line_width), fmt::format("above 0, at most {}", kMaxLineWidth));
   }
   const size_t sizes = input.vertices.point_sizes.size();
   if (sizes != 0 && sizes != input.vertices.vertex_count) {
@@ -80,7 +81,19 @@ Result<void> check_lines_and_points(const DrawInput& input) {
   return {};
 }
 
+Result<void> check_size(std::string_view kind, size_t values, const DrawInput& input) {
+  if (values != 0 && values != size_t{input.target_width} * input.target_height * input.samples) {
+    return failure(fmt::format("a {} buffer of {} values for a target of {} x {} pixels of {} samples", kind, values,
+                               input.target_width, input.target_height, input.samples));
+  }
+  return {};
+}
+
 Result<void> check(const DrawInput& input, const Options& options) {
+  if (!is_supported(options.isa)) {
+    return failure(fmt::format("this processor does not have {}", to_string(options.isa)),
+                   fmt::format("the greatest that it has is {}", to_string(best_isa())));
+  }
   if (options.subpixel_bits < kMinSubpixelBits || options.subpixel_bits > kMaxSubpixelBits) {
     return failure(fmt::format("{} subpixel bits", options.subpixel_bits),
                    fmt::format("{} to {}", kMinSubpixelBits, kMaxSubpixelBits));
@@ -94,9 +107,11 @@ Result<void> check(const DrawInput& input, const Options& options) {
     return failure(fmt::format("{} samples a pixel", input.samples), "1, 2, 4, 8 or 16");
   }
   const size_t depth_values = input.depth.values.size();
-  if (depth_values != 0 && depth_values != size_t{input.target_width} * input.target_height * input.samples) {
-    return failure(fmt::format("a depth buffer of {} values for a target of {} x {} pixels of {} samples",
-                               depth_values, input.target_width, input.target_height, input.samples));
+  if (const auto checked = check_size("depth", depth_values, input); !checked) {
+    return checked;
+  }
+  if (const auto checked = check_size("color", input.color.values.size(), input); !checked) {
+    return checked;
   }
   const VkFormat format = input.depth.format;
   if (depth_values != 0 && format != VK_FORMAT_D32_SFLOAT && max_depth_code(format) == 0) {
@@ -154,9 +169,11 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
   PreparedDraw prepared{.input = input,
                         .shape = shape_of(input.vertices.topology, state.polygon_mode),
                         .subpixel_bits = options.subpixel_bits,
+                        .isa = options.isa,
                         .coverage_rule = {.fill = options.fill,
                                           .subpixel_bits = options.subpixel_bits,
-                                          .bresenham_width = bresenham_width(state.line_width)},
+                                          .bresenham_width = bresenham_width(state.line_width),
+                                          .isa = options.isa},
                         .depth = DepthStage(state, input.depth),
                         .assembly = PrimitiveAssembly(input.vertices, state.provoking_vertex),
                         .viewport_pixels = transform.viewport_pixels(pixel_centre_fixed(options.subpixel_bits)),

@@ -7,8 +7,10 @@
 
 #include "cases/model/case.h"
 #include "cases/model/result.h"
+#include "renderer/color.h"
 #include "renderer/coverage.h"
 #include "renderer/depth.h"
+#include "renderer/isa.h"
 #include "renderer/primitive_assembly.h"
 #include "renderer/primitive_setup.h"
 #include "renderer/sample_locations.h"
@@ -19,6 +21,7 @@ struct Options {
   uint32_t subpixel_bits = kMaxSubpixelBits;  // kMinSubpixelBits to kMaxSubpixelBits
   uint32_t threads = 1;                       // any number gives the same bytes
   Fill fill = Fill::kEdgeFunction;            // so does either fill
+  Isa isa = best_isa();                       // and any instruction set
 };
 
 // The user's distances, vertex by vertex.
@@ -44,6 +47,7 @@ struct DrawInput {
   VertexDistances cull_distances;
   RasterState state;
   DepthBuffer depth;
+  ColorBuffer color;  // of a program that gives colours (shading.h)
 };
 
 // Everything of a draw that does not depend on the program.
@@ -51,6 +55,7 @@ struct PreparedDraw {
   DrawInput input;
   Shape shape;
   uint32_t subpixel_bits;
+  Isa isa;
   CoverageRule coverage_rule;
   DepthStage depth;
   PrimitiveAssembly assembly;

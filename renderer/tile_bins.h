@@ -29,6 +29,31 @@ class TileGrid {
   PixelRect tiles_;
 };
 
+// Goes through the primitives that may touch a tile, in the order of submission.
+class TileEntries {
+ public:
+  TileEntries(std::span<const SetupPrimitive> primitives, std::span<const uint32_t> binned,
+              std::span<const uint32_t> large)
+      : primitives_(primitives.data()), binned_(binned), large_(large) {}
+
+  // Null after the last.
+  const SetupPrimitive* next() {
+    if (binned_.empty() && large_.empty()) {
+      return nullptr;
+    }
+    std::span<const uint32_t>& list =
+        large_.empty() || (!binned_.empty() && binned_.front() < large_.front()) ? binned_ : large_;
+    const uint32_t first = list.front();
+    list = list.subspan(1);
+    return primitives_ + first;
+  }
+
+ private:
+  const SetupPrimitive* primitives_;
+  std::span<const uint32_t> binned_;
+  std::span<const uint32_t> large_;
+};
+
 // A run of consecutive primitives, set up and sorted into tiles.
 class PrimitiveChunk {
  public:
@@ -44,9 +69,11 @@ class PrimitiveChunk {
   // An estimate: the areas of the bounding boxes in pixels, some more for each primitive.
   [[nodiscard]] size_t cost() const;
 
-  // Calls visit(primitive) for each primitive that may touch the tile, in the order of submission.
-  template <typename Visit>
-  void for_each_in_tile(uint32_t tile, const Visit& visit) const;
+  // The primitives that may touch the tile.
+  [[nodiscard]] TileEntries entries(uint32_t tile) const {
+    return {primitives_,
+            std::span(bin_entries_).subspan(bin_begins_[tile], bin_begins_[tile + 1] - bin_begins_[tile]), large_};
+  }
 
  private:
   // A primitive in more tiles than this is looked at by every tile; so bins stay small.
@@ -58,20 +85,5 @@ class PrimitiveChunk {
   std::vector<uint32_t> bin_entries_;  // indices of primitives_, ascending within a tile
   std::vector<uint32_t> large_;        // likewise, those in no bin
 };
-
-template <typename Visit>
-void PrimitiveChunk::for_each_in_tile(uint32_t tile, const Visit& visit) const {
-  auto small = bin_entries_.begin() + bin_begins_[tile];
-  const auto small_end = bin_entries_.begin() + bin_begins_[tile + 1];
-  for (const uint32_t large : large_) {
-    for (; small != small_end && *small < large; ++small) {
-      visit(primitives_[*small]);
-    }
-    visit(primitives_[large]);
-  }
-  for (; small != small_end; ++small) {
-    visit(primitives_[*small]);
-  }
-}
 
 }  // namespace fillrule::renderer

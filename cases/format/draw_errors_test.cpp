@@ -135,7 +135,14 @@ TEST(BadDraw, IndexState) {
             "  hint: Vulkan allows it for lists only with an extension\n");
   EXPECT_EQ(errors_of(kDraw + "indices = ['restart']\n"),
             "a.toml:6:12: an index restarts, but primitive_restart is not true\n"
+            "  hint: strips and fans can restart, lists cannot\n");
+  EXPECT_EQ(errors_of(kDraw + "topology = 'triangle_strip'\nindices = ['restart']\n"),
+            "a.toml:7:12: an index restarts, but primitive_restart is not true\n"
             "  hint: write primitive_restart = true in the draw\n");
+  // One mistake, one error.
+  EXPECT_EQ(errors_of(kDraw + "indices = ['restart']\nprimitive_restart = true\n"),
+            "a.toml:7:21: primitive_restart is for strips and fans, not for lists\n"
+            "  hint: Vulkan allows it for lists only with an extension\n");
 }
 
 TEST(BadDraw, IndicesBeyondTheVerticesOrTheType) {

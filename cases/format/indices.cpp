@@ -16,6 +16,11 @@ void refuse_index_keys_without_indices(const toml::table& table, Diagnostics& di
   }
 }
 
+bool is_list(VkPrimitiveTopology topology) {
+  return topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST || topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST ||
+         topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
+}
+
 void refuse_vertex(const toml::node& node, int64_t index, int64_t vertices, int32_t offset,
                    Diagnostics& diagnostics) {
   if (offset == 0) {
@@ -35,7 +40,8 @@ void append_index(const toml::node& node, uint32_t first_vertex, int64_t vertice
   if (node.is_string() && node.as_string()->get() == "restart") {
     if (!draw.primitive_restart) {
       values.diagnostics().add(place_of(node), "an index restarts, but primitive_restart is not true",
-                               "write primitive_restart = true in the draw");
+                               is_list(draw.topology) ? "strips and fans can restart, lists cannot"
+                                                      : "write primitive_restart = true in the draw");
     }
     draw.indices->push_back(restart);
     return;
@@ -73,13 +79,9 @@ void read_index_state(const toml::table& table, Values& values, Draw& draw) {
   const toml::node* const node = table.get("primitive_restart");
   if (node == nullptr) return;
   draw.primitive_restart = values.boolean(*node, "primitive_restart").value_or(false);
-  const bool list = draw.topology == VK_PRIMITIVE_TOPOLOGY_POINT_LIST ||
-                    draw.topology == VK_PRIMITIVE_TOPOLOGY_LINE_LIST ||
-                    draw.topology == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
-  if (draw.primitive_restart && list) {
+  if (draw.primitive_restart && is_list(draw.topology)) {
     values.diagnostics().add(place_of(*node), "primitive_restart is for strips and fans, not for lists",
                              "Vulkan allows it for lists only with an extension");
-    draw.primitive_restart = false;
   }
 }
 

@@ -129,6 +129,12 @@ expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" exhaust --referen
 expect 0 'The sample lies' "$fillrule" explain own/good.toml --pixel 4,4
 expect 2 'pixel 99,4 is not in the target of 16 x 16 pixels' "$fillrule" explain own/good.toml --pixel 99,4
 expect 2 "--pixel takes X,Y" "$fillrule" explain own/good.toml --pixel 4
+expect 2 'sample 4 is not in a target of 1 sample per pixel' "$fillrule" explain own/good.toml --pixel 4,4 --sample 4
+expect 2 '--sample: Number less than 0' "$fillrule" explain own/good.toml --pixel 4,4 --sample -1
+expect 2 '--seed: Number less than 0' "$fillrule" stress --seed -1 --triangles 16
+expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles -1
+expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles 0
+expect 2 '--grid: Number less or equal to 0' "$fillrule" exhaust --grid -4
 expect 2 '4 cases match' "$fillrule" explain coverage/shared_diagonal --pixel 4,4
 expect 0 'triangles a second' "$fillrule" stress --triangles 500 --reference none --out "$work/stress"
 expect 2 'medium' "$fillrule" stress --families medium --out "$work/stress"

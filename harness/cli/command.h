@@ -15,6 +15,7 @@ enum ExitCode : int {
 };
 
 void add_run(CLI::App& app, int& exit_code);
+void add_merge(CLI::App& app, int& exit_code);
 void add_list(CLI::App& app, int& exit_code);
 void add_show(CLI::App& app, int& exit_code);
 void add_devices(CLI::App& app, int& exit_code);
@@ -25,5 +26,6 @@ void add_new(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
 void add_faults(CLI::App& app, int& exit_code);
+void add_bench(CLI::App& app, int& exit_code);
 
 }  // namespace fillrule::cli

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "cases/format/suite.h"
-#include "harness/report/terminal.h"
 #include "harness/run/suite_runner.h"
+#include "harness/terminal/text.h"
 
 namespace {
 
@@ -29,8 +29,8 @@ class ConformanceTest : public testing::Test {
     ASSERT_TRUE(runner) << to_string(runner.error());
     const auto drawing = runner->draw(case_);
     ASSERT_TRUE(drawing) << to_string(drawing.error());
-    EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::report::case_text(
-        {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict});
+    EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::terminal::case_text(
+        {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict}, {});
     const auto again = runner->draw(case_);
     ASSERT_TRUE(again) << to_string(again.error());
     // A case that the device cannot draw has been held against the oracle alone.

@@ -7,8 +7,10 @@
 #include <optional>
 
 #include "harness/cli/command.h"
+#include "harness/cli/inspect.h"
 #include "harness/cli/options.h"
 #include "harness/explain/explain.h"
+#include "harness/report/printable.h"
 
 namespace fillrule::cli {
 namespace {
@@ -37,7 +39,7 @@ std::optional<Case> load_one(const SuiteOptions& options) {
   if (!suite.errors.empty()) return std::nullopt;
   if (suite.cases.size() == 1) return std::move(suite.cases.front());
   std::string names;
-  for (const Case& one : suite.cases) names += "\n  " + one.name;
+  for (const Case& one : suite.cases) names += "\n  " + report::printable(one.name);
   print_error({.what = fmt::format("{} cases match, and one sample of one case can be explained:{}",
                                    suite.cases.size(), names)});
   return std::nullopt;
@@ -55,19 +57,12 @@ int explain_case(const ExplainOptions& options, const Case& one, const explain::
     print_error(drawing.error());
     return kBadInput;
   }
-  const explain::NamedParty candidate{
-      .name = parties.candidate,
-      .party = {.planes = &drawing->candidate, .subpixel_bits = parties.candidate_subpixel_bits}};
-  explain::NamedParty against_it{.name = parties.reference.driver,
-                                 .party = {.subpixel_bits = parties.reference.subpixel_bits}};
-  if (drawing->reference) against_it.party.planes = &*drawing->reference;
-  const auto explanation =
-      explain::explain(one, candidate, drawing->reference ? &against_it : nullptr, run_options.profile, sample);
+  const auto explanation = explain_sample(parties, run_options.profile, one, *drawing, sample);
   if (!explanation) {
     print_error(explanation.error());
     return kBadInput;
   }
-  fmt::print("{}", explain::to_text(*explanation));
+  fmt::print("{}", report::printable_lines(explain::to_text(*explanation)));
   return kConforms;
 }
 
@@ -97,6 +92,7 @@ void add_explain(CLI::App& app, int& exit_code) {
   add_party_options(*command, options->parties);
   command->add_option("--pixel", options->pixel, "which one, from the top left")->type_name("X,Y")->required();
   command->add_option("--sample", options->sample, "of the pixel; the one with the gravest verdict unless given")
+      ->check(CLI::NonNegativeNumber)
       ->type_name("N");
   command->callback([options, &exit_code] { exit_code = run_explain(*options); });
 }

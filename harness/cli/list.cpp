@@ -5,6 +5,7 @@
 
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
+#include "harness/report/printable.h"
 
 namespace fillrule::cli {
 
@@ -14,7 +15,7 @@ void add_list(CLI::App& app, int& exit_code) {
   add_suite_options(*command, *options);
   command->callback([options, &exit_code] {
     const format::Suite suite = load(*options);
-    for (const Case& one : suite.cases) fmt::print("{}\n", one.name);
+    for (const Case& one : suite.cases) fmt::print("{}\n", report::printable(one.name));
     exit_code = suite.errors.empty() ? kConforms : kBadInput;
   });
 }

@@ -32,6 +32,7 @@ int main(int argc, char** argv) {
     app.fallthrough();
     app.footer("Exit codes: 0 conforms, 1 mismatch, 2 bad case or usage, 3 no such reference device.");
     add_run(app, exit_code);
+    add_merge(app, exit_code);
     add_list(app, exit_code);
     add_show(app, exit_code);
     add_devices(app, exit_code);
@@ -42,6 +43,7 @@ int main(int argc, char** argv) {
     add_check(app, exit_code);
     add_exhaust(app, exit_code);
     add_faults(app, exit_code);
+    add_bench(app, exit_code);
     const std::string given = argc > 1 ? argv[1] : "-";
     if (const auto known = check_command(app, given); !known) {
       print_error(known.error());

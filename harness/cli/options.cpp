@@ -10,6 +10,7 @@
 #include <fstream>
 
 #include "harness/cli/command.h"
+#include "harness/report/printable.h"
 
 namespace fillrule::cli {
 namespace {
@@ -67,25 +68,32 @@ std::string default_root() {
 }
 
 std::string shell_quoted(const std::string& text) {
-  std::string result = "'";
+  const bool plain = report::printable(text) == text;
+  std::string result = plain ? "'" : "$'";
   for (const char c : text) {
-    if (c == '\'') {
-      result += "'\\''";
+    const auto byte = static_cast<unsigned char>(c);
+    if (plain) {
+      result += c == '\'' ? "'\\''" : std::string(1, c);
+    } else if (c == '\'' || c == '\\') {
+      result.append("\\").push_back(c);
     } else {
-      result += c;
+      result += byte < 0x20 || byte > 0x7e ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
     }
   }
   return result + "'";
 }
 
 std::string case_selector(const std::string& file, const std::string& name, const std::string& root) {
-  // A case of another folder than the suite's is found by its file.
-  if (!is_below(file, root)) return shell_quoted(file);
-  return shell_quoted(name) + (root == default_root() ? "" : " --suite " + shell_quoted(root));
+  const bool in_suite = is_below(file, root);
+  const std::string path = name.substr(0, name.rfind('[')) + ".toml";
+  if (!in_suite && !(name.ends_with(']') && file.ends_with(path))) return shell_quoted(file);
+  std::string folder = in_suite ? root : file.substr(0, file.size() - path.size());
+  if (folder.empty()) folder = ".";
+  return shell_quoted(name) + (folder == default_root() ? "" : " --suite " + shell_quoted(folder));
 }
 
 void print_error(const Error& error) {
-  fmt::print(stderr, "{}\n", to_string(error));
+  fmt::print(stderr, "{}\n", report::printable_lines(to_string(error)));
 }
 
 std::string default_root() {
@@ -131,6 +139,7 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
   command.add_option("--threads", run.candidate_options.threads, "that the candidate draws one case with")
       ->check(CLI::Range(1, 256))
       ->capture_default_str();
+  add_isa_option(command, run.candidate_options.isa);
   command.add_flag("--validation", run.validation, "load Vulkan's validation layers");
   command
       .add_option("--profile", options.profiles,
@@ -140,6 +149,19 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
       ->delimiter(',')
       ->allow_extra_args(false)
       ->check(CLI::IsMember({"top_left", "diamond_exit", "precise", "same_bits"}));
+}
+
+void add_isa_option(CLI::App& command, renderer::Isa& isa) {
+  std::vector<std::string> supported;
+  for (const renderer::Isa one : renderer::kAllIsas) {
+    if (renderer::is_supported(one)) supported.emplace_back(renderer::to_string(one));
+  }
+  command
+      .add_option_function<std::string>(
+          "--isa", [&isa](const std::string& name) { isa = *renderer::isa_named(name); },
+          "the renderer's instruction set; by default the greatest that the processor has, and any gives the same "
+          "bytes")
+      ->check(CLI::IsMember(supported));
 }
 
 std::vector<std::string> driver_files() {
@@ -183,6 +205,20 @@ Result<void> check_writable(const std::string& file) {
   if (!writable) return tl::unexpected(Error{.file = file, .what = "cannot be written"});
   if (!was_there) std::filesystem::remove(file, error);
   return {};
+}
+
+void add_deviation_options(CLI::App& command, std::string& expected_folder, bool& strict_reference) {
+  command.add_flag(
+      "--strict-reference", strict_reference,
+      "fail on a fault of the reference that is not on its list of known deviations, and on a listed one "
+      "that no longer occurs");
+  expected_folder = FILLRULE_SOURCE_DIR "/ci/expected";
+  command.add_option("--expected", expected_folder, "where the lists of known deviations are")->type_name("DIR");
+}
+
+bool has_failed(const run::RunResult& result, const run::DeviationReport& deviations, bool strict_reference) {
+  const bool as_listed = deviations.unexpected.empty() && deviations.gone.empty();
+  return result.summary.failed > 0 || (strict_reference && !as_listed);
 }
 
 bool is_driver(const std::string& reference) {

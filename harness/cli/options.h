@@ -7,6 +7,7 @@
 
 #include "cases/format/suite.h"
 #include "cases/model/result.h"
+#include "harness/run/deviations.h"
 #include "harness/run/suite_runner.h"
 
 namespace fillrule::cli {
@@ -16,10 +17,11 @@ void print_error(const Error& error);
 // `cases` below the current folder, or else that of the sources the command was built from.
 std::string default_root();
 
-// In single quotes, for a shell.
+// In single quotes for a POSIX shell, or for bash where the text has characters that must not reach a terminal.
 std::string shell_quoted(const std::string& text);
 
-// What names a case on a command line, quoted: by its name where its file is below `root`, else by the file.
+// What names a case on a command line, quoted: by its name where its file is below `root`; else by the file, or, as
+// one of a sweep has to be named, by the name from the folder that it is told from.
 std::string case_selector(const std::string& file, const std::string& name, const std::string& root);
 
 // Which cases.
@@ -40,6 +42,9 @@ struct PartyOptions {
 };
 void add_party_options(CLI::App& command, PartyOptions& options);
 
+// --isa, the renderer's instruction set; refuses what this processor does not have.
+void add_isa_option(CLI::App& command, renderer::Isa& isa);
+
 // Vulkan drivers that are not installed in the system: what ci/swiftshader has fetched, if it has.
 std::vector<std::string> driver_files();
 
@@ -59,6 +64,12 @@ void add_commands(const run::RunOptions& options, run::CaseResult& result);
 Result<void> prepare_folder(const std::string& folder);
 // Likewise for a file; its folder must be there. Leaves nothing behind.
 Result<void> check_writable(const std::string& file);
+
+// The lists of known deviations, and whether what is not on them counts.
+void add_deviation_options(CLI::App& command, std::string& expected_folder, bool& strict_reference);
+
+// Whether the candidate does not conform, or with `strict_reference` the reference is not as it is listed.
+bool has_failed(const run::RunResult& result, const run::DeviationReport& deviations, bool strict_reference);
 
 // The options of a run against one of the references.
 run::RunOptions against(const PartyOptions& options, const std::string& reference);

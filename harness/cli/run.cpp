@@ -3,28 +3,36 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
 #include <thread>
 
 #include "harness/cli/command.h"
+#include "harness/cli/inspect.h"
 #include "harness/cli/options.h"
-#include "harness/report/json.h"
-#include "harness/report/pictures.h"
-#include "harness/report/terminal.h"
-#include "harness/report/timing_text.h"
+#include "harness/cli/output.h"
+#include "harness/cli/shard.h"
+#include "harness/cli/terminal.h"
+#include "harness/report/failures.h"
 #include "harness/run/counted.h"
 #include "harness/run/deviations.h"
+#include "harness/run/merge.h"
 #include "harness/run/stopwatch.h"
+#include "harness/terminal/text.h"
+#include "harness/terminal/timing_text.h"
 
 namespace fillrule::cli {
 namespace {
 
+// So many cases are shown with their map and their worst samples, unless all are asked for.
+constexpr size_t kShownInFull = 10;
+
 struct RunCommandOptions {
   SuiteOptions suite;
   PartyOptions parties;
-  std::string report_folder;    // empty: none is written
-  std::string json_file;        // empty: none is written
+  OutputOptions output;
+  std::string faults_file;  // shown in the report; empty: the report's own faults.json, if it is there
+  terminal::Wishes wishes;
+  std::string shard;
   std::string expected_folder;  // lists of known deviations
   bool strict_reference = false;
   bool verbose = false;
@@ -38,54 +46,55 @@ bool told_by_default(const run::CaseResult& result, const run::DeviationReport& 
                      [&result](const run::DeviationReport::Fault& fault) { return fault.case_name == result.name; });
 }
 
-void print_results(const RunCommandOptions& options, const run::RunResult& result,
-                   const run::DeviationReport& deviations) {
-  for (const run::CaseResult& one : result.cases) {
-    if (options.quiet || !(options.verbose || told_by_default(one, deviations))) continue;
-    fmt::print("{}", report::case_text(one));
-  }
-  fmt::print("{}", report::summary_text(result));
-  fmt::print("{}", report::deviations_text(result, deviations));
+bool has_fault(const run::CaseResult& result) {
+  return result.verdict.candidate_faults() > 0 || result.verdict.reference_faults() > 0;
 }
 
-bool print_if_failed(const Result<void>& result) {
-  if (!result) print_error(result.error());
-  return result.has_value();
-}
-
-// Pictures of every case at fault, drawn once more: whoever draws the same case twice gets the same bytes.
-bool write_pictures(const std::string& folder, run::SuiteRunner& runner, const std::vector<Case>& cases,
-                    const run::RunResult& result) {
-  bool written = true;
-  size_t count = 0;
+// Tells of each case that is to be told of, and finds out why the ones at fault are.
+void tell_cases(const RunCommandOptions& options, const judge::Profile& profile, run::SuiteRunner& runner,
+                const std::vector<Case>& cases, run::RunResult& result, const run::DeviationReport& deviations) {
+  const terminal::Style style = stdout_style(options.wishes);
+  size_t inspected = 0;
   for (size_t i = 0; i < cases.size(); ++i) {
-    const judge::CaseVerdict& verdict = result.cases[i].verdict;
-    if (verdict.candidate_faults() == 0 && verdict.reference_faults() == 0) continue;
-    const Result<run::Drawing> drawing = runner.draw(cases[i]);
-    const auto paths = drawing ? report::write_pictures(folder, cases[i], *drawing)
-                               : Result<std::vector<std::string>>(tl::unexpected(drawing.error()));
-    if (!paths) print_error(paths.error());
-    written = written && paths.has_value();
-    count += paths ? 1 : 0;
+    run::CaseResult& one = result.cases[i];
+    const bool told = told_by_default(one, deviations);
+    std::string inspection;
+    if ((told || options.verbose) && has_fault(one)) {
+      // A case that cannot be drawn again is told of without.
+      if (const Result<run::Drawing> drawing = runner.draw(cases[i])) {
+        one.reason = reason_of(result, profile, cases[i], *drawing);
+        const bool in_full = !options.quiet && (options.verbose || inspected < kShownInFull);
+        if (in_full) inspection = inspection_text(cases[i], *drawing, style);
+      }
+      ++inspected;
+    }
+    if (!options.quiet && (told || options.verbose)) fmt::print("{}", terminal::case_text(one, style, inspection));
   }
-  if (count > 0) fmt::print("pictures of {} in {}\n", run::counted(count, "case"), folder);
-  return written;
+  if (!options.quiet && !options.verbose && inspected > kShownInFull) {
+    fmt::print("the first {} of {} are shown with map and worst samples; --verbose shows all\n", kShownInFull,
+               run::counted(inspected, "case"));
+  }
 }
 
-// Before the run, which may be long.
-bool can_write_report(const RunCommandOptions& options) {
-  return (options.json_file.empty() || print_if_failed(check_writable(options.json_file))) &&
-         (options.report_folder.empty() || print_if_failed(prepare_folder(options.report_folder)));
+void print_summary(const RunCommandOptions& options, const run::RunResult& result,
+                   const run::DeviationReport& deviations) {
+  fmt::print("{}", terminal::summary_text(result, stdout_style(options.wishes)));
+  fmt::print("{}", terminal::deviations_text(result, deviations));
 }
 
-// results.json and the pictures, wherever they were asked for.
+// The pictures and report.html, if there is a folder for them, and then the files that name them.
 bool write_report(const RunCommandOptions& options, run::SuiteRunner& runner, const std::vector<Case>& cases,
                   const run::RunResult& result, const run::DeviationReport& deviations) {
-  const std::string json = report::to_json(result, deviations);
-  bool written = options.json_file.empty() || print_if_failed(report::write_text(options.json_file, json));
-  if (options.report_folder.empty()) return written;
-  written = print_if_failed(report::write_text(options.report_folder + "/results.json", json)) && written;
-  return write_pictures(options.report_folder, runner, cases, result) && written;
+  const std::string& folder = options.output.report_folder;
+  if (folder.empty()) return write_output(options.output, result, deviations);
+  const std::string faults = options.faults_file.empty() ? folder + "/faults.json" : options.faults_file;
+  const report::FailureFiles files =
+      report::write_failures(folder, faults, runner, options.parties.run.profile, cases, result, deviations);
+  for (const Error& error : files.errors) print_error(error);
+  if (files.cases > 0) fmt::print("pictures of {} in {}\n", run::counted(files.cases, "case"), folder);
+  const bool written = write_output(options.output, result, deviations) && files.errors.empty();
+  if (written) fmt::print("report: {}/report.html\n", folder);
+  return written;
 }
 
 // Where two references draw differently, and which of them is wrong if one is.
@@ -98,52 +107,59 @@ Result<std::string> compare_references(const RunCommandOptions& options, const s
   pair.measure_alone = false;
   Result<run::SuiteRunner> runner = run::SuiteRunner::create(pair);
   if (!runner) return tl::unexpected(runner.error());
-  return report::disagreements_text(runner->run(cases));
+  return terminal::disagreements_text(runner->run(cases));
 }
 
-// Where the results of the second and further references go: DIR becomes DIR/<driver>, FILE.json FILE-<driver>.json.
-RunCommandOptions with_suffix(RunCommandOptions options, const std::string& suffix) {
-  if (!options.report_folder.empty()) options.report_folder += "/" + suffix;
-  if (!options.json_file.empty()) {
-    const std::filesystem::path path(options.json_file);
-    options.json_file =
-        (path.parent_path() / (path.stem().string() + "-" + suffix + path.extension().string())).string();
-  }
-  return options;
+run::RunResult draw_and_judge(const RunCommandOptions& options, const run::RunOptions& run_options,
+                              run::SuiteRunner& runner, const std::vector<Case>& cases, const run::Shard& shard) {
+  ProgressLine progress(cases.size(), !options.quiet);
+  run::RunResult result = runner.run(cases, [&progress] { progress.advance(); });
+  result.shard = shard;
+  for (run::CaseResult& one : result.cases) add_commands(options.suite, run_options, one);
+  return result;
 }
 
-int run_against(const RunCommandOptions& options, const run::RunOptions& run_options,
-                const std::vector<Case>& cases) {
-  if (!can_write_report(options)) return kBadInput;
+int run_against(const RunCommandOptions& options, const run::RunOptions& run_options, const std::vector<Case>& cases,
+                const run::Shard& shard) {
+  if (!can_write_output(options.output)) return kBadInput;
   int exit_code = kConforms;
   Result<run::SuiteRunner> runner = create_runner(run_options, exit_code);
   if (!runner) return exit_code;
-  run::RunResult result = runner->run(cases);
-  for (run::CaseResult& one : result.cases) add_commands(options.suite, run_options, one);
+  run::RunResult result = draw_and_judge(options, run_options, *runner, cases, shard);
   const auto known = run::known_deviations(options.expected_folder, result.reference);
   if (!known) print_error(known.error());
-  const run::DeviationReport deviations =
+  run::DeviationReport deviations =
       run::compare_with_known(result.cases, known.value_or(std::vector<run::Deviation>{}));
-  print_results(options, result, deviations);
+  // Whether a fault is gone is seen only in all shards together.
+  if (shard.total > 1) deviations.gone.clear();
+  tell_cases(options, run_options.profile, *runner, cases, result, deviations);
+  print_summary(options, result, deviations);
   const run::Stopwatch writing;
   const bool written = write_report(options, *runner, cases, result, deviations);
   if (run_options.measure_alone) {
-    fmt::print("{}", report::timing_text(result.timing, result.summary.cases, writing.seconds()));
+    fmt::print("{}", terminal::timing_text(result.timing, result.summary.cases, writing.seconds()));
   }
   for (const std::string& message : runner->validation_messages()) fmt::print(stderr, "validation: {}\n", message);
   if (!written || !known) return kBadInput;
-  const bool reference_failed = !deviations.unexpected.empty() || !deviations.gone.empty();
-  return result.summary.failed > 0 || (options.strict_reference && reference_failed) ? kMismatch : kConforms;
+  return has_failed(result, deviations, options.strict_reference) ? kMismatch : kConforms;
 }
 
 int run_cases(const RunCommandOptions& options) {
-  const format::Suite suite = load(options.suite);
+  Result<run::Shard> shard = choose_shard(options.shard);
+  if (!shard) {
+    print_error(shard.error());
+    return kBadInput;
+  }
+  format::Suite suite = load(options.suite);
+  shard->suite_cases = suite.cases.size();
+  suite.cases = run::cases_of(*shard, std::move(suite.cases));
   const std::vector<std::string>& references = options.parties.references;
   int exit_code = suite.errors.empty() ? kConforms : kBadInput;
   for (size_t i = 0; i < references.size(); ++i) {
-    const RunCommandOptions named = i == 0 ? options : with_suffix(options, references[i]);
+    RunCommandOptions named = options;
+    if (i > 0) named.output = with_suffix(options.output, references[i]);
     // The higher code is the graver one.
-    exit_code = std::max(exit_code, run_against(named, against(options.parties, references[i]), suite.cases));
+    exit_code = std::max(exit_code, run_against(named, against(options.parties, references[i]), suite.cases, *shard));
   }
   // The drivers against each other. Their faults are known from above, so this decides nothing.
   std::vector<std::string> drivers;
@@ -169,20 +185,27 @@ void add_run(CLI::App& app, int& exit_code) {
   add_party_options(*command, options->parties);
   run::RunOptions& run = options->parties.run;
   run.jobs = std::max(std::thread::hardware_concurrency(), 1U);
-  command->add_option("--report", options->report_folder, "where results.json and the pictures of cases at fault go")
+  command
+      ->add_option("--report", options->output.report_folder,
+                   "where report.html, results.json and the pictures of cases at fault go")
       ->type_name("DIR");
-  command->add_option("--json", options->json_file, "write the results to this file too")->type_name("FILE");
+  add_output_options(*command, options->output);
+  command
+      ->add_option(
+          "--faults", options->faults_file,
+          "a table that 'fillrule faults --json' wrote, to show in report.html (DIR/faults.json if it is there)")
+      ->type_name("FILE");
+  add_terminal_options(*command, options->wishes);
+  command
+      ->add_option("--shard", options->shard,
+                   "run this part of the suite, 1/4 to 4/4 of four (GTEST_TOTAL_SHARDS and GTEST_SHARD_INDEX do as "
+                   "well); 'fillrule merge' joins the reports")
+      ->type_name("I/N");
   command->add_option("--jobs", run.jobs, "cases judged at the same time")->check(CLI::Range(1, 1024));
   command->add_flag("--checks,!--no-checks", run.checks,
                     "run the metamorphic checks too (they are run unless forbidden)");
   command->add_flag("--timing", run.measure_alone, "tell where the time went, and what the reference alone takes");
-  command->add_flag(
-      "--strict-reference", options->strict_reference,
-      "fail on a fault of the reference that is not on its list of known deviations, and on a listed one "
-      "that no longer occurs");
-  options->expected_folder = FILLRULE_SOURCE_DIR "/ci/expected";
-  command->add_option("--expected", options->expected_folder, "where the lists of known deviations are")
-      ->type_name("DIR");
+  add_deviation_options(*command, options->expected_folder, options->strict_reference);
   command->add_flag("--verbose,-v", options->verbose, "tell of every case, not only of failures");
   command->add_flag("--quiet,-q", options->quiet, "the summary alone");
   command->callback([options, &exit_code] { exit_code = run_cases(*options); });

@@ -4,9 +4,11 @@
 #include <memory>
 
 #include "harness/cli/command.h"
+#include "harness/cli/inspect.h"
 #include "harness/cli/options.h"
+#include "harness/cli/terminal.h"
 #include "harness/report/pictures.h"
-#include "harness/report/terminal.h"
+#include "harness/terminal/text.h"
 
 namespace fillrule::cli {
 namespace {
@@ -14,12 +16,13 @@ namespace {
 struct ShowOptions {
   SuiteOptions suite;
   PartyOptions parties;
+  terminal::Wishes wishes;
   std::string folder = "build/show";
 };
 
 // Draws, judges, writes and tells of one case.
-int show_case(const Case& one, run::SuiteRunner& runner, const run::RunOptions& run_options,
-              const ShowOptions& options) {
+int show_case(const Case& one, run::SuiteRunner& runner, const run::RunResult& parties,
+              const run::RunOptions& run_options, const ShowOptions& options) {
   const Result<run::Drawing> drawing = runner.draw(one);
   if (!drawing) {
     print_error(drawing.error());
@@ -37,7 +40,9 @@ int show_case(const Case& one, run::SuiteRunner& runner, const run::RunOptions& 
                          .verdict = drawing->verdict};
   add_commands(options.suite, run_options, result);
   result.show_command.clear();
-  fmt::print("{}", report::case_text(result));
+  result.reason = reason_of(parties, run_options.profile, one, *drawing);
+  const terminal::Style style = stdout_style(options.wishes);
+  fmt::print("{}", terminal::case_text(result, style, inspection_text(one, *drawing, style)));
   for (const std::string& path : *paths) fmt::print("    {}\n", path);
   return failed ? kMismatch : kConforms;
 }
@@ -53,7 +58,10 @@ int show_cases(const ShowOptions& options) {
   Result<run::SuiteRunner> runner = create_runner(run_options, exit_code);
   if (!runner) return exit_code;
   exit_code = suite.errors.empty() ? kConforms : kBadInput;
-  for (const Case& one : suite.cases) exit_code = std::max(exit_code, show_case(one, *runner, run_options, options));
+  const run::RunResult parties = runner->run({});
+  for (const Case& one : suite.cases) {
+    exit_code = std::max(exit_code, show_case(one, *runner, parties, run_options, options));
+  }
   return exit_code;
 }
 
@@ -65,6 +73,7 @@ void add_show(CLI::App& app, int& exit_code) {
   add_suite_options(*command, options->suite);
   command->get_option("cases")->required();
   add_party_options(*command, options->parties);
+  add_terminal_options(*command, options->wishes);
   command->add_option("--report", options->folder, "where the pictures go")->type_name("DIR")->capture_default_str();
   command->callback([options, &exit_code] { exit_code = show_cases(*options); });
 }

@@ -9,9 +9,9 @@
 
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
-#include "harness/report/terminal.h"
 #include "harness/run/deviations.h"
 #include "harness/stress/stress.h"
+#include "harness/terminal/text.h"
 
 namespace fillrule::cli {
 namespace {
@@ -42,7 +42,7 @@ stress::Progress progress_line(uint64_t triangles) {
 void print_finding(const stress::Finding& finding, const run::RunOptions& run_options) {
   run::CaseResult result = finding.result;
   if (finding.message.empty()) add_commands(run_options, result);
-  fmt::print("{}", report::case_text(result));
+  fmt::print("{}", terminal::case_text(result, {}));
   if (!finding.message.empty()) fmt::print(stderr, "{}\n", finding.message);
 }
 
@@ -63,7 +63,7 @@ int stress_against(const StressCommandOptions& options, const run::RunOptions& r
   stress.known = std::move(*known);
   const stress::StressResult result = stress::run_stress(stress, *runner, progress_line(stress.triangles));
   for (const stress::Finding& finding : result.findings) print_finding(finding, run_options);
-  fmt::print("{}{}", report::parties_text(result.run), stress::summary_text(result));
+  fmt::print("{}{}", terminal::parties_text(result.run), stress::summary_text(result));
   const stress::FamilyCounts total = result.total();
   const bool written = std::ranges::all_of(result.findings, &std::string::empty, &stress::Finding::message);
   if (!written) return kBadInput;
@@ -94,8 +94,12 @@ void add_stress(CLI::App& app, int& exit_code) {
   run.checks = false;  // they would take several times as long as the verdict
   run.jobs = std::max(std::thread::hardware_concurrency(), 1U);
   stress::StressOptions& stress = options->stress;
-  command->add_option("--seed", stress.seed, "another one, other triangles")->capture_default_str();
-  command->add_option("--triangles", stress.triangles, "at least so many")->capture_default_str();
+  command->add_option("--seed", stress.seed, "another one, other triangles")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command->add_option("--triangles", stress.triangles, "at least so many")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
   command->add_option("--families", options->families, "kinds of triangles; all if none")
       ->delimiter(',')
       ->check(CLI::IsMember(family_names()));

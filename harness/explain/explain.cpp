@@ -10,20 +10,15 @@
 #include "harness/explain/oracle.h"
 
 namespace fillrule::explain {
-namespace {
 
-class Explainer {
+class CaseExplainer::State {
  public:
-  Explainer(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
-            const judge::Profile& profile)
-      : case_(test_case),
-        candidate_(candidate),
-        reference_(reference),
-        profile_(profile),
-        verdict_(judge::judge(test_case, candidate.party, reference != nullptr ? &reference->party : nullptr,
-                              {.profile = profile, .keep_maps = true})) {}
+  State(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
+        const judge::Profile& profile, const judge::CaseVerdict& verdict)
+      : case_(test_case), candidate_(candidate), reference_(reference), profile_(profile), verdict_(verdict) {}
 
-  Explanation run(const SampleId& id) {
+  Explanation at(const SampleId& id) {
+    result_ = {};
     const Target& target = case_.target;
     const auto samples = static_cast<uint32_t>(target.samples);
     const size_t pixel = (size_t{id.y} * target.width + id.x) * samples;
@@ -38,7 +33,7 @@ class Explainer {
     result_.position = {position.x, position.y};
     add_party("candidate", candidate_);
     if (reference_ != nullptr) add_party("reference", *reference_);
-    for (size_t view = 0; view < oracles_.size(); ++view) add_primitives(view);
+    for (size_t view = 0; view < result_.views.size(); ++view) add_primitives(view);
     for (const judge::PlaneVerdict& plane : verdict_.planes) {
       result_.planes.push_back({.name = plane.name, .kind = plane.kind, .verdict = plane.map[index_]});
     }
@@ -60,22 +55,30 @@ class Explainer {
     return gravest;
   }
 
-  // The view for so many subpixel bits, made on first need.
+  // The oracle for so many subpixel bits, made on first need. The candidate's comes first, and the profile binds the
+  // candidate alone.
+  Oracle& oracle_for(uint32_t subpixel_bits) {
+    for (const auto& oracle : oracles_) {
+      if (oracle->subpixel_bits == subpixel_bits) return *oracle;
+    }
+    judge::Replay::Rules rules;
+    if (oracles_.empty()) rules = {.top_left = profile_.top_left, .diamond_exit = profile_.diamond_exit};
+    return *oracles_.emplace_back(std::make_unique<Oracle>(case_, subpixel_bits, rules));
+  }
+
+  // The view for so many subpixel bits. Views are in the order of the oracles.
   size_t view_for(uint32_t subpixel_bits) {
     for (size_t i = 0; i < result_.views.size(); ++i) {
       if (result_.views[i].subpixel_bits == subpixel_bits) return i;
     }
-    // The profile binds the candidate alone, which comes first.
-    judge::Replay::Rules rules;
-    if (oracles_.empty()) rules = {.top_left = profile_.top_left, .diamond_exit = profile_.diamond_exit};
-    oracles_.push_back(std::make_unique<Oracle>(case_, subpixel_bits, rules));
-    View view{.subpixel_bits = subpixel_bits, .primitives = {}, .possible = oracles_.back()->replay.at(index_)};
-    const std::vector<exact::Piece>& pieces = oracles_.back()->expectation.pieces();
+    Oracle& oracle = oracle_for(subpixel_bits);
+    View view{.subpixel_bits = subpixel_bits, .primitives = {}, .possible = oracle.replay.at(index_)};
+    const std::vector<exact::Piece>& pieces = oracle.expectation.pieces();
     for (const judge::Outcome& outcome : view.possible.outcomes) {
       view.depth_owners.push_back(outcome.depth_writer == kNoOwner ? kNoOwner : pieces[outcome.depth_writer].owner);
     }
     result_.views.push_back(std::move(view));
-    return oracles_.size() - 1;
+    return result_.views.size() - 1;
   }
 
   void add_party(const std::string& role, const NamedParty& named) {
@@ -104,13 +107,21 @@ class Explainer {
   const NamedParty& candidate_;
   const NamedParty* reference_;
   judge::Profile profile_;
-  judge::CaseVerdict verdict_;
+  const judge::CaseVerdict& verdict_;
   size_t index_ = 0;
   std::vector<std::unique_ptr<Oracle>> oracles_;
   Explanation result_;
 };
 
-}  // namespace
+CaseExplainer::CaseExplainer(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
+                             const judge::Profile& profile, const judge::CaseVerdict& verdict)
+    : state_(std::make_unique<State>(test_case, candidate, reference, profile, verdict)) {}
+
+CaseExplainer::~CaseExplainer() = default;
+
+Explanation CaseExplainer::at(const SampleId& id) {
+  return state_->at(id);
+}
 
 Result<Explanation> explain(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
                             const judge::Profile& profile, const SampleId& sample) {
@@ -126,7 +137,10 @@ Result<Explanation> explain(const Case& test_case, const NamedParty& candidate, 
                                samples == 1 ? "sample" : "samples"),
                    samples == 1 ? std::string("the only one is 0") : fmt::format("N is 0 to {}", samples - 1));
   }
-  return Explainer(test_case, candidate, reference, profile).run(sample);
+  const judge::CaseVerdict verdict =
+      judge::judge(test_case, candidate.party, reference != nullptr ? &reference->party : nullptr,
+                   {.profile = profile, .keep_maps = true});
+  return CaseExplainer(test_case, candidate, reference, profile, verdict).at(sample);
 }
 
 }  // namespace fillrule::explain

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -27,6 +28,26 @@ struct SampleId {
 // `reference` may be null. A sample outside of the target is an error.
 Result<Explanation> explain(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
                             const judge::Profile& profile, const SampleId& sample);
+
+// Explains many samples of one case: what they have in common is worked out once. All that it is given has to stay
+// where it is. `reference` may be null; the verdict is the judge's on these parties, with maps.
+class CaseExplainer {
+ public:
+  CaseExplainer(const Case& test_case, const NamedParty& candidate, const NamedParty* reference,
+                const judge::Profile& profile, const judge::CaseVerdict& verdict);
+  CaseExplainer(const CaseExplainer&) = delete;
+  CaseExplainer& operator=(const CaseExplainer&) = delete;
+  CaseExplainer(CaseExplainer&&) = delete;
+  CaseExplainer& operator=(CaseExplainer&&) = delete;
+  ~CaseExplainer();
+
+  // The sample is in the target.
+  Explanation at(const SampleId& id);
+
+ private:
+  class State;
+  std::unique_ptr<State> state_;
+};
 
 // The same as text, the reason last.
 std::string to_text(const Explanation& explanation);

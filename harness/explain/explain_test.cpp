@@ -5,53 +5,10 @@
 #include <cmath>
 #include <functional>
 
-#include "harness/programs/varyings.h"
+#include "harness/explain/test_support.h"
 
 namespace fillrule::explain {
 namespace {
-
-ClipPosition at(double x, double y, double z, double w = 1) {
-  return {static_cast<float>((x / 8 - 1) * w), static_cast<float>((y / 8 - 1) * w), static_cast<float>(z * w),
-          static_cast<float>(w)};
-}
-
-// One triangle in a target of 16 x 16 pixels.
-Case triangle_case(const std::string& name, std::vector<ClipPosition> positions) {
-  Case one{.name = name,
-           .target = {.width = 16, .height = 16},
-           .varyings = {{.name = "u", .components = 1, .interpolation = Interpolation::kSmooth}}};
-  Draw draw{.positions = std::move(positions)};
-  draw.state.viewport = {.x = 0, .y = 0, .width = 16, .height = 16, .minDepth = 0, .maxDepth = 1};
-  draw.state.scissor = {.offset = {}, .extent = {.width = 16, .height = 16}};
-  draw.state.depth_test = true;
-  draw.state.depth_compare = VK_COMPARE_OP_LESS_OR_EQUAL;
-  for (size_t i = 0; i < draw.positions.size(); ++i) draw.varyings.push_back(static_cast<float>(i % 3));
-  one.draws.push_back(std::move(draw));
-  return one;
-}
-
-Case upright(const std::string& name) {
-  return triangle_case(name, {at(2, 2, 0.25), at(14, 2, 0.5), at(2, 14, 0.75)});
-}
-
-using Change = std::function<void(Planes&, size_t)>;
-
-// The text for a candidate that is the renderer with a change at the sample, against the renderer as it is.
-std::string explained(const Case& one, uint32_t x, uint32_t y, const Change& candidate_change = nullptr,
-                      const Change& reference_change = nullptr) {
-  Planes candidate = programs::draw_case(one, {}).value();
-  Planes reference = candidate;
-  const size_t index = size_t{y} * one.target.width + x;
-  if (candidate_change) candidate_change(candidate, index);
-  if (reference_change) reference_change(reference, index);
-  const NamedParty named{.name = "renderer", .party = {.planes = &candidate}};
-  const NamedParty against{.name = "lavapipe", .party = {.planes = &reference}};
-  return to_text(explain(one, named, &against, {}, {.x = x, .y = y}).value());
-}
-
-std::string last_line(const std::string& text) {
-  return text.substr(text.rfind('\n', text.size() - 2) + 1);
-}
 
 TEST(Explain, ACoveredSample) {
   EXPECT_EQ(explained(upright("inside"), 4, 5), R"(inside, pixel 4,5 sample 0, at (4.5, 5.5)

@@ -132,6 +132,7 @@ std::string wrong_value(const PartyFacts& party, const PlaneFacts& plane) {
 }
 
 std::string wrong_facing(const View& view, const PartyFacts& party) {
+  if (party.owner == kNoOwner) return fmt::format("The {} shows a facing where nothing landed", party.role);
   std::string text = fmt::format("The {} takes primitive {} for {}-facing", party.role, party.owner,
                                  party.front_facing ? "front" : "back");
   const PrimitiveFacts* const primitive = find_primitive(view, party.owner);

@@ -14,14 +14,16 @@
 namespace fillrule::explain {
 
 struct Oracle {
+  uint32_t subpixel_bits;
   exact::Expectation expectation;
   judge::ValueCache values;
   judge::Replay replay;
 
-  Oracle(const Case& test_case, uint32_t subpixel_bits, judge::Replay::Rules rules)
-      : expectation(test_case, subpixel_bits),
+  Oracle(const Case& test_case, uint32_t bits, judge::Replay::Rules rules)
+      : subpixel_bits(bits),
+        expectation(test_case, bits),
         values(test_case, expectation),
-        replay(test_case, expectation, values, subpixel_bits, rules) {}
+        replay(test_case, expectation, values, bits, rules) {}
 };
 
 // The depth, where there is any, and the components of all varyings of one party at a sample.

@@ -88,6 +88,13 @@ std::vector<Piece> dropped_triangles(const Case& test_case, const exact::Expecta
   return dropped;
 }
 
+// Whether the sample is more than a pixel outside of its bounds, which is quickly told.
+bool is_far(const Piece& piece, const exact::Position& at) {
+  const auto [left, top, right, bottom] = piece.shape->bounds(piece.latitude);
+  return at.x < left - kNearPixels || at.y < top - kNearPixels || at.x > right + kNearPixels ||
+         at.y > bottom + kNearPixels;
+}
+
 // Whether it comes within a pixel of the sample.
 bool is_near(const PrimitiveFacts& facts, uint32_t subpixel_bits) {
   if (facts.undefined || facts.coverage.coverage != Coverage::kMustNot) return true;
@@ -107,11 +114,11 @@ std::vector<PrimitiveFacts> primitives_of(const Case& test_case, const exact::Ex
   expectation.collect(index, entries);
   std::vector<PrimitiveFacts> primitives;
   const auto add = [&](const Piece& piece, Coverage answer) {
+    const bool is_shown = std::ranges::find(shown, piece.owner) != shown.end();
+    if (!is_shown && is_far(piece, place.position)) return;
     PrimitiveFacts facts = facts_of(test_case, piece, place, subpixel_bits);
     facts.answer = answer;
-    if (is_near(facts, subpixel_bits) || std::ranges::find(shown, facts.number) != shown.end()) {
-      primitives.push_back(std::move(facts));
-    }
+    if (is_shown || is_near(facts, subpixel_bits)) primitives.push_back(std::move(facts));
   };
   for (uint32_t number = 0; number < expectation.pieces().size(); ++number) {
     const auto entry = std::ranges::find(entries, number, &exact::Entry::piece);

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "harness/explain/oracle.h"
 #include "reference/exact/depth_format.h"
@@ -15,13 +14,13 @@ using exact::Piece;
 using judge::Outcome;
 using judge::Standing;
 
-// In units of the last place of the float32 next to `exact`.
-double error_in_ulps(float value, double exact) {
+// In units of the last place of the float32 next to `exact`, beyond what is left open.
+double error_in_ulps(float value, double exact, double spread) {
   if (std::isnan(exact)) return 0;
   const auto rounded = static_cast<float>(exact);
   const double ulp =
       double{std::nextafter(std::abs(rounded), std::numeric_limits<float>::infinity())} - double{std::abs(rounded)};
-  return std::abs(double{value} - exact) / ulp;
+  return std::max(std::abs(double{value} - exact) - spread, 0.0) / ulp;
 }
 
 class ValueFacts {
@@ -61,7 +60,10 @@ class ValueFacts {
 
   // With all of the tolerance: the judge takes a smaller one where that is enough.
   static Value value(const std::string& name, float value, Standing standing, const Parts& parts) {
-    Value result{.name = name, .value = value, .standing = standing, .ulps = error_in_ulps(value, standing.expected)};
+    Value result{.name = name,
+                 .value = value,
+                 .standing = standing,
+                 .ulps = error_in_ulps(value, standing.expected, standing.spread)};
     const bool judged = !std::isnan(standing.expected) && std::isfinite(standing.tolerance);
     const double rounded = standing.tolerance - standing.spread;
     if (!judged || !parts || !(parts->total() >= rounded * (1 - 1e-6)) || !(rounded > 0)) return result;

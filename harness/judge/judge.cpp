@@ -102,21 +102,6 @@ Verdict combine(const Standing& candidate, const Standing* reference, bool equal
   return reference == nullptr && candidate.level == Class::kExact ? Verdict::kIdentical : Verdict::kPermitted;
 }
 
-void record(PlaneVerdict& plane, const SampleRecord& sample) {
-  // The box and the first sample belong to the gravest class met.
-  if (!plane.first || sample.verdict > plane.first->verdict) {
-    plane.first = sample;
-    plane.bounds = Bounds{.min_x = sample.x, .min_y = sample.y, .max_x = sample.x, .max_y = sample.y};
-  } else if (sample.verdict == plane.first->verdict) {
-    Bounds& box = *plane.bounds;
-    box = {.min_x = std::min(box.min_x, sample.x),
-           .min_y = std::min(box.min_y, sample.y),
-           .max_x = std::max(box.max_x, sample.x),
-           .max_y = std::max(box.max_y, sample.y)};
-  }
-  if (!plane.worst || graver(sample, *plane.worst)) plane.worst = sample;
-}
-
 std::vector<PlaneVerdict> planes_of(const Case& test_case, bool with_depth) {
   std::vector<PlaneVerdict> planes{{.name = "coverage", .kind = PlaneKind::kCoverage},
                                    {.name = "hits", .kind = PlaneKind::kHits},
@@ -145,6 +130,7 @@ class CaseJudge {
     verdict.samples = planes.hits.size();
     if (settings_.keep_maps) {
       for (PlaneVerdict& plane : verdict.planes) plane.map.assign(verdict.samples, Verdict::kIdentical);
+      verdict.oracle.resize(verdict.samples);
     }
     const size_t row = size_t{planes.width} * planes.samples;
     for (size_t begin = 0; begin < verdict.samples;) {
@@ -236,6 +222,7 @@ class CaseJudge {
     if (count_sample) verdict.covered_samples += possible.most_hits > 0 || possible.in_doubt ? 1 : 0;
     verdict.may_samples += possible.in_doubt ? 1 : 0;
     verdict.undefined_samples += possible.undefined ? 1 : 0;
+    if (settings_.keep_maps) verdict.oracle[index] = answer_of(possible);
     for (size_t p = 0; p < verdict.planes.size(); ++p) {
       if (open_planes_[p] == 0) continue;
       PlaneVerdict& plane = verdict.planes[p];
@@ -247,7 +234,9 @@ class CaseJudge {
       }
       ++plane.counts[static_cast<size_t>(sample.verdict)];
       if (settings_.keep_maps) plane.map[index] = sample.verdict;
-      if (sample.verdict > Verdict::kPermitted) record(plane, sample);
+      if (sample.verdict <= Verdict::kPermitted) continue;
+      record(plane, sample);
+      if (settings_.keep_maps) keep_worst(plane.worst_samples, sample);
     }
   }
 

@@ -33,7 +33,7 @@ struct Profile {
 
 struct Settings {
   Profile profile;
-  bool keep_maps = false;  // fill PlaneVerdict::map
+  bool keep_maps = false;  // fill PlaneVerdict::map and worst_samples, and CaseVerdict::oracle
 };
 
 // What a case must and may cover, for parties of given subpixel bits.

@@ -112,6 +112,17 @@ void expect_fault(const std::string& plane_name, const Spoil& spoil, const Case&
   EXPECT_EQ(plane(alone, plane_name).candidate_faults(), 1U) << plane_name;
 }
 
+TEST(Judge, MapsComeWithTheOraclesAnswers) {
+  const Planes right = perfect(square());
+  const CaseVerdict verdict = judge_pair(square(), right, right);
+  const size_t inside = size_t{4} * right.width + 4;
+  ASSERT_EQ(verdict.oracle.size(), verdict.samples);
+  EXPECT_EQ(verdict.oracle[inside].coverage, OracleAnswer::Coverage::kMust);
+  EXPECT_EQ(verdict.oracle[inside].owner, right.owner[inside]);
+  EXPECT_EQ(verdict.oracle[0].coverage, OracleAnswer::Coverage::kMustNot);
+  EXPECT_EQ(verdict.oracle[0].owner, kNoOwner);
+}
+
 TEST(Judge, APerfectPictureIsIdenticalToItselfAndToTheOracle) {
   const Case test_case = square();
   const Planes planes = perfect(test_case);
@@ -316,6 +327,41 @@ TEST(Judge, ReportsTheBoxTheFirstAndTheWorstSample) {
   EXPECT_EQ(depth.bounds->min_y, 3U);
   EXPECT_EQ(depth.bounds->max_x, 4U);
   EXPECT_EQ(depth.bounds->max_y, 6U);
+}
+
+TEST(Judge, KeepsTheWorstSamplesTheGravestFirst) {
+  const Case test_case = square();
+  const Planes right = perfect(test_case);
+  Planes wrong = right;
+  wrong.depth[index_of(4, 3)] += 0.1F;
+  wrong.depth[index_of(3, 6)] += 0.3F;
+  wrong.depth[index_of(5, 6)] += 0.1F;
+  const CaseVerdict verdict = judge_pair(test_case, wrong, right);
+  const std::vector<SampleRecord>& worst = plane(verdict, "depth").worst_samples;
+  ASSERT_EQ(worst.size(), 3U);
+  EXPECT_EQ(worst[0].x, 3U);
+  EXPECT_GE(worst[1].severity, worst[2].severity);
+  EXPECT_TRUE(plane(verdict, "owner").worst_samples.empty());
+}
+
+TEST(KeepWorst, NoMoreThanTheGravest) {
+  std::vector<SampleRecord> worst;
+  for (uint32_t i = 0; i < 2 * kWorstSamples; ++i) {
+    keep_worst(worst, {.x = i, .verdict = Verdict::kCandidateFault, .severity = static_cast<double>(i)});
+  }
+  keep_worst(worst, {.x = 1000, .verdict = Verdict::kReferenceFault, .severity = 1e9});
+  ASSERT_EQ(worst.size(), kWorstSamples);
+  EXPECT_EQ(worst.front().x, 2 * kWorstSamples - 1);
+  EXPECT_EQ(worst.back().x, kWorstSamples);
+}
+
+TEST(UlpsBetween, InTheLastPlaceOfTheExactValue) {
+  EXPECT_EQ(ulps_between(1, 1), 0);
+  EXPECT_EQ(ulps_between(1 + 3 * 0x1p-23, 1), 3);
+  EXPECT_EQ(ulps_between(-0.5 - 0x1p-24, -0.5), 1);
+  EXPECT_EQ(ulps_between(0x1p-149, 0), 1);
+  EXPECT_EQ(ulps_between(1, std::numeric_limits<double>::quiet_NaN()), 0);
+  EXPECT_TRUE(std::isnan(ulps_between(std::numeric_limits<double>::quiet_NaN(), 1)));
 }
 
 }  // namespace

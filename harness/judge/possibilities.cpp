@@ -236,4 +236,19 @@ Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x
   return passes_ever ? DepthResult::kPasses : DepthResult::kFails;
 }
 
+OracleAnswer answer_of(const Possibilities& possible) {
+  OracleAnswer answer;
+  const auto covers = std::ranges::count_if(possible.outcomes, [](const Outcome& o) { return o.owner != kNoOwner; });
+  if (covers > 0) {
+    const bool always = static_cast<size_t>(covers) == possible.outcomes.size();
+    answer.coverage = always ? OracleAnswer::Coverage::kMust : OracleAnswer::Coverage::kMay;
+  }
+  if (possible.undefined) answer.coverage = OracleAnswer::Coverage::kUndefined;
+  const auto is_first = [&](const Outcome& outcome) { return outcome.owner == possible.outcomes.front().owner; };
+  if (!possible.outcomes.empty() && std::ranges::all_of(possible.outcomes, is_first)) {
+    answer.owner = possible.outcomes.front().owner;
+  }
+  return answer;
+}
+
 }  // namespace fillrule::judge

@@ -8,6 +8,7 @@
 
 #include "cases/model/case.h"
 #include "cases/model/planes.h"
+#include "harness/judge/verdict.h"
 #include "reference/exact/expectation.h"
 #include "reference/exact/value_bound.h"
 
@@ -30,6 +31,9 @@ struct Possibilities {
   bool undefined = false;  // ... because the piece is undefined
   std::vector<Outcome> outcomes;
 };
+
+// The same in short.
+OracleAnswer answer_of(const Possibilities& possible);
 
 // Caches the exact values of a case's pieces while its samples are judged.
 class ValueCache {

@@ -197,7 +197,10 @@ Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
   const Expected depth = values.depth(x, y);
   const Expected expected = expected_in(format, state, depth);
   if (depth.spread == 0 && value == exact::nearest_depth(format, expected.value)) {
-    return {.level = Class::kExact, .expected = expected.value, .tolerance = expected.tolerance};
+    return {.level = Class::kExact,
+            .expected = expected.value,
+            .tolerance = expected.tolerance + expected.spread,
+            .spread = expected.spread};
   }
   const bool open = leaves_range(state, format, depth) && (depth.value < -depth.tolerance - depth.spread ||
                                                            depth.value > 1 + depth.tolerance + depth.spread);

@@ -21,6 +21,9 @@ enum class Verdict : uint8_t {
 };
 inline constexpr size_t kVerdictCount = 6;
 
+// So many of the worst samples are kept.
+inline constexpr size_t kWorstSamples = 64;
+
 enum class PlaneKind : uint8_t { kCoverage, kHits, kOwner, kFrontFacing, kDepth, kVarying };
 
 // Where two parties differ, or one is at fault. Integer planes hold their numbers as doubles.
@@ -35,6 +38,18 @@ struct SampleRecord {
   double expected = 0;              // the exact value, NaN where there is more than one answer
   double tolerance = 0;             // of the expected value
   double severity = 0;              // the error in units of the tolerance; infinite for NaN and for wrong integers
+};
+
+// What the oracle says to the candidate at one sample.
+struct OracleAnswer {
+  enum class Coverage : uint8_t {
+    kMustNot,
+    kMay,
+    kMust,
+    kUndefined
+  };  // kUndefined: kMay, as a primitive is undefined
+  Coverage coverage = Coverage::kMustNot;
+  std::optional<uint32_t> owner;  // none where several are right
 };
 
 struct Bounds {  // inclusive, pixels
@@ -55,7 +70,10 @@ struct PlaneVerdict {
   std::optional<Bounds> bounds;
   std::optional<SampleRecord> first;
   std::optional<SampleRecord> worst;
-  std::vector<Verdict> map;  // one for each sample, where the judge was asked for it
+  // Where the judge was asked for them: a verdict for each sample, and the gravest samples beyond kPermitted, the
+  // worst one first.
+  std::vector<Verdict> map;
+  std::vector<SampleRecord> worst_samples;
 
   [[nodiscard]] uint64_t count(Verdict verdict) const { return counts[static_cast<size_t>(verdict)]; }
   [[nodiscard]] uint64_t candidate_faults() const {
@@ -69,9 +87,10 @@ struct PlaneVerdict {
 struct CaseVerdict {
   std::vector<PlaneVerdict> planes;
   uint64_t samples = 0;
-  uint64_t covered_samples = 0;    // samples that some primitive must or may cover
-  uint64_t may_samples = 0;        // samples whose coverage the specification leaves open
-  uint64_t undefined_samples = 0;  // those among them that are open because a primitive is undefined
+  uint64_t covered_samples = 0;      // samples that some primitive must or may cover
+  uint64_t may_samples = 0;          // samples whose coverage the specification leaves open
+  uint64_t undefined_samples = 0;    // those among them that are open because a primitive is undefined
+  std::vector<OracleAnswer> oracle;  // one for each sample, where the judge was asked for maps
 
   [[nodiscard]] uint64_t count(Verdict verdict) const;
   [[nodiscard]] uint64_t candidate_faults() const;
@@ -82,5 +101,15 @@ struct CaseVerdict {
 
 // By verdict, then by severity.
 bool graver(const SampleRecord& a, const SampleRecord& b);
+
+// Takes a sample beyond kPermitted into the plane's box, its first and its worst sample.
+void record(PlaneVerdict& plane, const SampleRecord& sample);
+
+// Takes a sample into a list of the gravest kWorstSamples, the worst first, equal ones in the order they come.
+void keep_worst(std::vector<SampleRecord>& worst, const SampleRecord& sample);
+
+// How far a value is from the exact one, in units of the last place of the float32 next to that; 0 where the exact
+// one is NaN, as there is more than one answer.
+double ulps_between(double value, double exact);
 
 }  // namespace fillrule::judge

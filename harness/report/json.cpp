@@ -26,7 +26,8 @@ Json record_json(const judge::SampleRecord& record) {
             {"verdict", name_of(record.verdict)},
             {"candidate", number(record.candidate)},
             {"expected", number(record.expected)},
-            {"tolerance", number(record.tolerance)}};
+            {"tolerance", number(record.tolerance)},
+            {"severity", number(record.severity)}};
   if (record.reference) json["reference"] = number(*record.reference);
   return json;
 }
@@ -36,7 +37,9 @@ Json plane_json(const judge::PlaneVerdict& plane) {
             {"permitted", plane.count(judge::Verdict::kPermitted)},
             {"imprecise", plane.count(judge::Verdict::kImprecise)},
             {"candidate_faults", plane.candidate_faults()},
-            {"reference_faults", plane.reference_faults()}};
+            {"reference_faults", plane.reference_faults()},
+            {"both_at_fault", plane.count(judge::Verdict::kBothFault)},
+            {"components", plane.components}};
   if (plane.bounds) {
     json["bounds"] = {plane.bounds->min_x, plane.bounds->min_y, plane.bounds->max_x, plane.bounds->max_y};
   }
@@ -60,6 +63,7 @@ Json case_json(const run::CaseResult& result) {
             {"undefined_samples", result.verdict.undefined_samples},
             {"planes", std::move(planes)}};
   if (!result.message.empty()) json["message"] = result.message;
+  if (!result.reason.empty()) json["reason"] = result.reason;
   json["checks"] = Json::array();
   for (const judge::CheckResult& check : result.checks) {
     json["checks"].push_back({{"name", check.name}, {"outcome", name_of(check.outcome)}, {"message", check.message}});
@@ -115,6 +119,10 @@ std::string to_json(const run::RunResult& result, const run::DeviationReport& de
               {"version", result.reference.version},
               {"subpixel_bits", result.reference.subpixel_bits}}},
             {"timing", timing_json(result.timing.run)}};
+  if (result.shard.total > 1) {
+    json["shard"] = {
+        {"index", result.shard.index}, {"total", result.shard.total}, {"suite_cases", result.shard.suite_cases}};
+  }
   if (result.timing.warm) {
     json["timing"]["warm"] = {{"suite", timing_json(result.timing.warm->suite)},
                               {"reference_alone", timing_json(result.timing.warm->reference_alone)}};

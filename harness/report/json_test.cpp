@@ -5,6 +5,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "cases/model/temporary_folder.h"
+
 namespace fillrule::report {
 namespace {
 
@@ -65,6 +67,46 @@ TEST(Json, NanAndHostileNamesStayValidJson) {
   const auto json = nlohmann::json::parse(to_json(one_failure(), one_unexpected()));
   EXPECT_EQ(json["cases"][0]["name"], "depth/\"quoted\" <b>");
   EXPECT_EQ(json["cases"][0]["planes"]["depth"]["first"]["candidate"], "nan");
+}
+
+TEST(ReadResults, WhatWasWrittenIsReadAgain) {
+  run::RunResult run = one_failure();
+  run.shard = {.index = 1, .total = 3, .suite_cases = 2};
+  run.cases[0].reason = "The candidate's depth is NaN.";
+  run.cases[0].checks = {
+      {.name = "rotated", .outcome = judge::CheckResult::Outcome::kOptedOut, .message = "its order matters"}};
+  run.cases[0].verdict.planes.push_back({.name = "uv",
+                                         .kind = judge::PlaneKind::kVarying,
+                                         .first_component = 0,
+                                         .components = 2,
+                                         .counts = {1, 2, 3, 4, 5, 6}});
+  run.cases[0].verdict.planes.push_back(
+      {.name = "w", .kind = judge::PlaneKind::kVarying, .first_component = 2, .counts = {9, 0, 0, 0, 0, 0}});
+  run.cases.push_back({.name = "a/b", .status = run::Status::kSkipped, .message = "the device lacks it"});
+  run.summary = run::summarise(run.cases, 0.25);
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write_text(folder.path("results.json"), to_json(run, {})));
+  const auto read = read_results(folder.path("results.json"));
+  ASSERT_TRUE(read) << to_string(read.error());
+  EXPECT_EQ(to_json(*read, {}), to_json(run, {}));
+  EXPECT_EQ(read->cases[0].verdict.planes[2].first_component, 2U);
+  EXPECT_EQ(read->cases[0].verdict.planes[0].counts, run.cases[0].verdict.planes[0].counts);
+}
+
+TEST(ReadResults, AnotherFileIsAnErrorWithItsName) {
+  const TemporaryFolder folder;
+  const std::string path = folder.path("results.json");
+  EXPECT_EQ(read_results(path).error().what, "cannot be read");
+  for (const char* const text : {"", "{}", "[1]", "{\"summary\": 1}", "{\"cases\": [{}]}"}) {
+    ASSERT_TRUE(write_text(path, text));
+    const auto read = read_results(path);
+    ASSERT_FALSE(read) << text;
+    EXPECT_EQ(read.error().file, path);
+  }
+  std::string spoiled = to_json(one_failure(), {});
+  spoiled.replace(spoiled.find("\"failed\","), 9, "\"broken\",");
+  ASSERT_TRUE(write_text(path, spoiled));
+  EXPECT_NE(read_results(path).error().what.find("\"broken\" is not known"), std::string::npos);
 }
 
 TEST(WriteText, AFolderThatIsNotThereIsAnErrorWithItsName) {

@@ -21,7 +21,7 @@ constexpr std::string_view kCheats = "cheats:";
 
 Candidate make_renderer(std::string_view name, renderer::Fill fill, const CandidateOptions& options) {
   const renderer::Options renderer_options{
-      .subpixel_bits = options.subpixel_bits, .threads = options.threads, .fill = fill};
+      .subpixel_bits = options.subpixel_bits, .threads = options.threads, .fill = fill, .isa = options.isa};
   const auto draw = [renderer_options](const Case& test_case, uint32_t threads) {
     renderer::Options chosen = renderer_options;
     if (threads != 0) chosen.threads = threads;

@@ -10,6 +10,7 @@
 #include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
+#include "renderer/isa.h"
 
 namespace fillrule::run {
 
@@ -25,9 +26,10 @@ struct Candidate {
 };
 
 struct CandidateOptions {
-  uint32_t subpixel_bits = 8;             // of the renderer; a driver has its own
-  uint32_t threads = 1;                   // that the renderer draws one case with; a driver has its own
-  std::vector<std::string> driver_files;  // as in vulkan::list_devices
+  uint32_t subpixel_bits = 8;                // of the renderer; a driver has its own
+  uint32_t threads = 1;                      // that the renderer draws one case with; a driver has its own
+  renderer::Isa isa = renderer::best_isa();  // of the renderer
+  std::vector<std::string> driver_files;     // as in vulkan::list_devices
 };
 
 // The candidates there are: "renderer", "renderer:scanline" (which fills by scanlines instead of by edge functions),

@@ -24,6 +24,7 @@ struct CaseResult {
   std::string file;
   Status status = Status::kPassed;
   std::string message;  // why a case was skipped, or failed without a verdict
+  std::string reason;   // one plain sentence about the worst sample; empty where there is none, or nobody asked
   // Commands that show the case again, and explain its worst sample, with the same parties; empty where there are
   // none.
   std::string show_command;
@@ -55,10 +56,19 @@ struct Reference {
   uint32_t subpixel_bits = 0;
 };
 
+// The part of the suite that was run: of the cases in order the ones whose number is `index` modulo `total`, which is
+// how GoogleTest splits tests.
+struct Shard {
+  uint32_t index = 0;
+  uint32_t total = 1;
+  uint64_t suite_cases = 0;  // in all shards together
+};
+
 struct RunResult {
   std::string candidate;
   uint32_t candidate_subpixel_bits = 0;
   Reference reference;
+  Shard shard;
   std::vector<CaseResult> cases;
   Summary summary;
   Timing timing;

@@ -112,13 +112,17 @@ struct SuiteRunner::State {
     return drawn;
   }
 
-  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue) {
+  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue,
+            const Progress& progress) {
     for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
       const size_t size = std::min(kBatchSize, cases.size() - begin);
       std::vector<std::unique_ptr<const Planes>> drawn(size);
       if (reference) drawn = draw_batch(cases.subspan(begin, size), std::span(results).subspan(begin, size));
       for (size_t i = 0; i < size; ++i) {
-        if (results[begin + i].status == Status::kFailed) continue;
+        if (results[begin + i].status == Status::kFailed) {
+          progress();
+          continue;
+        }
         queue.push({.index = begin + i, .reference = std::move(drawn[i])});
       }
     }
@@ -134,7 +138,7 @@ struct SuiteRunner::State {
   }
 
   // Draws and judges everything.
-  RunTiming run(std::span<const Case> cases, std::vector<CaseResult>& results) {
+  RunTiming run(std::span<const Case> cases, std::vector<CaseResult>& results, const Progress& progress) {
     const uint32_t jobs = std::max(options.jobs, 1U);
     std::vector<RunTiming> timings(jobs);
     return timed([&](RunTiming& timing) {
@@ -143,9 +147,10 @@ struct SuiteRunner::State {
         const Workers workers(jobs, [&](uint32_t worker) {
           while (std::optional<Job> job = queue.pop()) {
             finish(cases[job->index], job->reference.get(), results[job->index], timings[worker]);
+            progress();
           }
         });
-        feed(cases, results, queue);
+        feed(cases, results, queue, progress);
       }
       for (const RunTiming& of_worker : timings) timing += of_worker;
     });
@@ -157,7 +162,7 @@ struct SuiteRunner::State {
     for (size_t i = 0; i < suite.size(); ++i) {
       alone[i] = timed([&](RunTiming&) { draw_with_reference_alone(cases); });
       std::vector<CaseResult> ignored(cases.size());
-      suite[i] = run(cases, ignored);
+      suite[i] = run(cases, ignored, [] {});
     }
     return {.suite = median(suite), .reference_alone = median(alone)};
   }
@@ -186,7 +191,7 @@ SuiteRunner::SuiteRunner(SuiteRunner&&) noexcept = default;
 SuiteRunner& SuiteRunner::operator=(SuiteRunner&&) noexcept = default;
 SuiteRunner::~SuiteRunner() = default;
 
-RunResult SuiteRunner::run(std::span<const Case> cases) {
+RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress) {
   RunResult result{.candidate = state_->candidate.name,
                    .candidate_subpixel_bits = state_->candidate.subpixel_bits,
                    .reference = {.driver = kNoReference}};
@@ -202,7 +207,8 @@ RunResult SuiteRunner::run(std::span<const Case> cases) {
     result.cases[i].name = cases[i].name;
     result.cases[i].file = cases[i].file;
   }
-  result.timing.run = state_->run(cases, result.cases);
+  const Progress nobody = [] {};
+  result.timing.run = state_->run(cases, result.cases, progress ? progress : nobody);
   result.summary = summarise(result.cases, result.timing.run.wall_seconds);
   if (state_->reference && state_->options.measure_alone) result.timing.warm = state_->measure_warm(cases);
   return result;

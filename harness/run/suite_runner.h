@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -40,6 +41,9 @@ struct Drawing {
   judge::CaseVerdict verdict;
 };
 
+// Told each time that a case is done, by whichever thread has done it.
+using Progress = std::function<void()>;
+
 class SuiteRunner {
  public:
   static Result<SuiteRunner> create(const RunOptions& options);
@@ -50,7 +54,7 @@ class SuiteRunner {
   ~SuiteRunner();
 
   // Results are in the order of the cases, whatever the number of jobs.
-  RunResult run(std::span<const Case> cases);
+  RunResult run(std::span<const Case> cases, const Progress& progress = {});
 
   Result<Drawing> draw(const Case& test_case);
 

@@ -1,10 +1,10 @@
-#include "harness/report/timing_text.h"
+#include "harness/terminal/timing_text.h"
 
 #include <fmt/format.h>
 
 #include <string_view>
 
-namespace fillrule::report {
+namespace fillrule::terminal {
 namespace {
 
 std::string part(std::string_view name, double seconds, double cases, double bare) {
@@ -51,4 +51,4 @@ std::string timing_text(const run::Timing& timing, uint64_t case_count, double p
   return text;
 }
 
-}  // namespace fillrule::report
+}  // namespace fillrule::terminal

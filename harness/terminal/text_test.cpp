@@ -1,10 +1,18 @@
-#include "harness/report/terminal.h"
+#include "harness/terminal/text.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <sstream>
 
-namespace fillrule::report {
+#include "harness/report/printable.h"
+#include "harness/terminal/golden.h"
+#include "harness/terminal/map.h"
+#include "harness/terminal/preview.h"
+#include "harness/terminal/scene.h"
+#include "harness/terminal/worst.h"
+
+namespace fillrule::terminal {
 namespace {
 
 TEST(Terminal, AFailedCaseShowsCountsBoxFirstAndWorstSample) {
@@ -39,7 +47,7 @@ TEST(Terminal, AFailedCaseShowsCountsBoxFirstAndWorstSample) {
                          .show_command = "fillrule show 'clipping/near[angle=30]'",
                          .explain_command = "fillrule explain 'clipping/near[angle=30]' --pixel 9,4"};
   result.verdict.planes = {coverage, owner, uv};
-  EXPECT_EQ(case_text(result),
+  EXPECT_EQ(case_text(result, {}),
             "  FAILED  clipping/near[angle=30]\n"
             "    owner: 1 candidate fault, 4095 identical; within (1, 2) to (1, 2)\n"
             "      first (1, 2): candidate fault, candidate none, reference 3, exact 3\n"
@@ -56,13 +64,13 @@ TEST(Terminal, AFaultOfTheReferenceAloneCanBeSeenToo) {
   depth.counts = {4095, 0, 0, 1, 0, 0};
   run::CaseResult result{.name = "a/b", .show_command = "fillrule show 'a/b'"};
   result.verdict.planes = {depth};
-  EXPECT_NE(case_text(result).find("    see it: fillrule show 'a/b'\n"), std::string::npos);
+  EXPECT_NE(case_text(result, {}).find("    see it: fillrule show 'a/b'\n"), std::string::npos);
   result.verdict.planes[0].counts = {4095, 1, 0, 0, 0, 0};
-  EXPECT_EQ(case_text(result).find("see it"), std::string::npos);
+  EXPECT_EQ(case_text(result, {}).find("see it"), std::string::npos);
 }
 
 TEST(Terminal, ASkippedCaseGivesTheReason) {
-  EXPECT_EQ(case_text({.name = "a/b", .status = run::Status::kSkipped, .message = "target.size: too large"}),
+  EXPECT_EQ(case_text({.name = "a/b", .status = run::Status::kSkipped, .message = "target.size: too large"}, {}),
             "  SKIPPED a/b\n    target.size: too large\n");
 }
 
@@ -82,12 +90,23 @@ TEST(Terminal, TheSummaryNamesThePartiesAndCounts) {
                   .reference_faults = 4,
                   .wall_seconds = 0.5}};
   EXPECT_EQ(
-      summary_text(result),
+      summary_text(result, {}),
       "candidate renderer (8 subpixel bits) against lavapipe (llvmpipe, Mesa 1, 8 subpixel bits) and the oracle\n"
       "5 cases: 3 passed, 1 failed, 1 skipped, in 0.50 s\n"
       "samples over all planes: 100 identical, 10 permitted, 2 imprecise, 1 candidate fault, 4 reference faults\n");
   result.reference = {.driver = "none"};
-  EXPECT_EQ(summary_text(result).substr(0, 61), "candidate renderer (8 subpixel bits) against the oracle alone");
+  EXPECT_EQ(summary_text(result, {}).substr(0, 61), "candidate renderer (8 subpixel bits) against the oracle alone");
+}
+
+TEST(Terminal, TheSummaryIsColouredByTheOutcomeAndKeepsToTheWidth) {
+  run::RunResult result{.candidate = "renderer", .shard = {.index = 1, .total = 4, .suite_cases = 9}};
+  result.summary = {.cases = 2, .passed = 1, .failed = 1};
+  const std::string text = summary_text(result, {.colour = true, .columns = 30});
+  EXPECT_NE(text.find("\x1b[1;31m2 cases: 1 passed, 1 failed, 0\n  skipped, in 0.00 s\x1b[0m\n"), std::string::npos)
+      << text;
+  EXPECT_NE(text.find("shard 2 of 4, of 9 cases\n"), std::string::npos) << text;
+  result.summary = {.cases = 1, .passed = 1};
+  EXPECT_NE(summary_text(result, {.colour = true}).find("\x1b[32m1 case: 1 passed"), std::string::npos);
 }
 
 TEST(Terminal, NewFaultsOfTheReferenceAndThoseThatAreGoneAreTold) {
@@ -127,9 +146,72 @@ TEST(Terminal, AFailedCheckIsTold) {
                    {.name = "scissor_crop",
                     .outcome = judge::CheckResult::Outcome::kFailed,
                     .message = "depth differs at (1, 2)"}};
-  EXPECT_EQ(case_text(result),
+  EXPECT_EQ(case_text(result, {}),
             "  FAILED  a/b\n    check scissor_crop: depth differs at (1, 2)\n    see it: fillrule show 'a/b'\n");
 }
 
+// What the command line prints of a case at fault.
+std::string whole_text(const Scene& scene, const Style& style) {
+  return case_text(scene.result, style,
+                   worst_text(scene.drawing.verdict, style) + map_text(scene.test_case, scene.drawing, style) +
+                       preview_text(scene.test_case, scene.drawing, style));
+}
+
+Scene spoiled_scene() {
+  Scene scene = draw_scene(16, [](Planes& candidate, Planes& reference) {
+    for (uint32_t x = 4; x < 8; ++x) lose(candidate, x, 4);
+    for (uint32_t x = 4; x < 8; ++x) candidate.varyings[1][16 * 5 + x] += 0.001F * static_cast<float>(x);
+    candidate.varyings[2][16 * 6 + 4] = std::numeric_limits<float>::quiet_NaN();
+    candidate.depth[16 * 6 + 5] = 0.5F;
+    reference.owner[16 * 7 + 4] = 3;
+  });
+  scene.result.reason =
+      "The candidate leaves out a sample 512 subpixels inside edge v0-v1 of primitive 0: candidate fault.";
+  scene.result.checks = {{.name = "second_run"},
+                         {.name = "scissor_crop",
+                          .outcome = judge::CheckResult::Outcome::kFailed,
+                          .message = "depth differs at (1, 2)"}};
+  return scene;
+}
+
+TEST(TerminalGolden, AFailedCase) {
+  expect_golden("failed_case.txt", whole_text(spoiled_scene(), {}));
+}
+
+TEST(TerminalGolden, AFailedCaseInColour) {
+  expect_golden("failed_case_colour.txt", whole_text(spoiled_scene(), {.colour = true, .columns = 120}));
+}
+
+TEST(TerminalGolden, AFailedCaseOnANarrowTerminal) {
+  const std::string text = whole_text(spoiled_scene(), {.columns = 50});
+  expect_golden("failed_case_narrow.txt", text);
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);) {
+    const bool command = line.find(" it: fillrule ") != std::string::npos;  // to be pasted, so it stays whole
+    EXPECT_TRUE(command || report::columns_of(line) <= 50U) << line;
+  }
+}
+
+TEST(TerminalGolden, AFaultOfTheReference) {
+  const Scene scene = draw_scene(16, [](Planes&, Planes& reference) {
+    reference.varyings[0][16 * 5 + 5] = std::numeric_limits<float>::infinity();
+  });
+  expect_golden("reference_fault.txt", whole_text(scene, {}));
+}
+
+TEST(TerminalGolden, HostileAndLongNames) {
+  Scene scene = spoiled_scene();
+  scene.result.name = "clipping/\x1b[2J\x1b]0;owned\x07<b>\"&'" + std::string(200, 'x') +
+                      "\xe4\xb8\x89\xe8\xa7\x92\xff\n  PASSED  all";
+  scene.result.message = "cannot be read: \x1b[31mred\x1b[0m\r\n";
+  scene.result.verdict.planes[5].name = "u\x1b[1mv";
+  scene.result.show_command.clear();
+  scene.result.explain_command.clear();
+  const std::string text = case_text(scene.result, {.columns = 80});
+  expect_golden("hostile_names.txt", text);
+  EXPECT_EQ(text.find('\x1b'), std::string::npos);
+  EXPECT_EQ(text.find('\r'), std::string::npos);
+}
+
 }  // namespace
-}  // namespace fillrule::report
+}  // namespace fillrule::terminal

@@ -1,9 +1,9 @@
-#include "harness/report/timing_text.h"
+#include "harness/terminal/timing_text.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace fillrule::report {
+namespace fillrule::terminal {
 namespace {
 
 using ::testing::ContainsRegex;
@@ -34,4 +34,4 @@ TEST(TimingText, WarmFiguresAreHeldAgainstTheReferenceAlone) {
 }
 
 }  // namespace
-}  // namespace fillrule::report
+}  // namespace fillrule::terminal

@@ -1,0 +1,104 @@
+// What the browser tests share: reports of renderers that are broken on purpose, a browser, and the pixels of its canvases.
+//
+// FILLRULE_NODE_FOLDER: where the packages are installed. FILLRULE_BROKEN_REPORT: the program that writes reports.
+// FILLRULE_BROWSER_FOLDER: where reports and screenshots go.
+import { execFileSync } from "node:child_process";
+import { mkdirSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { join } from "node:path";
+import { pathToFileURL } from "node:url";
+
+const require = createRequire(`${process.env.FILLRULE_NODE_FOLDER}/`);
+const { chromium } = require("playwright-core");
+
+export const folder = process.env.FILLRULE_BROWSER_FOLDER;
+const kReady = 60_000; // milliseconds; a loaded machine is slow
+const FLAGS = ["--no-sandbox", "--disable-gpu", "--no-first-run", "--disable-background-networking", "--disable-component-update", "--disable-sync"];
+
+export function screenshotPath(name) {
+  mkdirSync(join(folder, "screenshots"), { recursive: true });
+  return join(folder, "screenshots", `${name}.png`);
+}
+
+// A report of the fault on the cases, written anew. `files`: written into its folder before.
+export function makeReport(name, fault, cases, { reference = "lavapipe", files = {} } = {}) {
+  const path = join(folder, "reports", name);
+  rmSync(path, { recursive: true, force: true });
+  mkdirSync(path, { recursive: true });
+  for (const [file, text] of Object.entries(files)) writeFileSync(join(path, file), text);
+  execFileSync(process.env.FILLRULE_BROKEN_REPORT, [path, fault, reference, ...cases], { stdio: "pipe" });
+  const json = (file) => JSON.parse(readFileSync(join(path, file), "utf8"));
+  return { path, html: join(path, "report.html"), results: json("results.json"), truth: json("truth.json") };
+}
+
+export async function launch() {
+  return chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS, headless: true });
+}
+
+// The page, once it shows something. Errors of the console are kept in page.errors.
+export async function openReport(browser, report, { hash = "", ...options } = {}) {
+  const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
+  const page = await context.newPage();
+  page.errors = [];
+  page.on("console", (message) => message.type() === "error" && page.errors.push(message.text()));
+  page.on("pageerror", (error) => page.errors.push(String(error)));
+  page.on("request", (request) => !/^(file|data|blob):/.test(request.url()) && page.errors.push(`asks for ${request.url()}`));
+  await page.goto(pathToFileURL(report.html).href + hash);
+  if (options.javaScriptEnabled !== false) await ready(page);
+  return page;
+}
+
+export async function ready(page) {
+  await page.waitForFunction(() => document.body.dataset.ready !== undefined, null, { timeout: kReady });
+  await settled(page);
+}
+
+// Until what was asked for is drawn.
+export async function settled(page) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+
+export async function press(page, key) {
+  await page.keyboard.press(key);
+  await settled(page);
+}
+
+// What the address says, once it does: {case, plane, px, zoom, view}.
+export async function linkOf(page) {
+  await page.waitForTimeout(150);
+  const hash = new URL(page.url()).hash.slice(1);
+  return Object.fromEntries(hash.split("&").map((part) => /^(.*?)=(.*)$/.exec(part).slice(1).map(decodeURIComponent)));
+}
+
+// The colours of the cells of a pane, index of the sample => [r, g, b], of those in sight; taken from the middle of the
+// cells, or `at` another part of them. Cells are as in the page's help: samples in reading order.
+export async function coloursOf(page, slot, { width, height, samples }, at = 0.5) {
+  const columns = { 1: 1, 2: 2, 4: 2, 8: 4, 16: 4 }[samples];
+  const rows = samples / columns;
+  const read = await page.evaluate((name) => {
+    const canvas = document.querySelector(`canvas[data-slot=${name}]`);
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const place = { left: Number(canvas.dataset.left), top: Number(canvas.dataset.top), scale: Number(canvas.dataset.scale) };
+    return { data: Array.from(data), width: canvas.width, height: canvas.height, ...place };
+  }, slot);
+  const colours = new Map();
+  for (let index = 0; index < width * height * samples; ++index) {
+    const sample = index % samples;
+    const pixel = Math.floor(index / samples);
+    const x = (pixel % width) + ((sample % columns) + at) / columns;
+    const y = Math.floor(pixel / width) + (Math.floor(sample / columns) + at) / rows;
+    const canvasX = Math.floor((x - read.left) * read.scale);
+    const canvasY = Math.floor((y - read.top) * read.scale);
+    if (canvasX < 0 || canvasY < 0 || canvasX >= read.width || canvasY >= read.height) continue;
+    const offset = (canvasY * read.width + canvasX) * 4;
+    colours.set(index, read.data.slice(offset, offset + 3));
+  }
+  return colours;
+}
+
+// Nothing but the pictures: no grid, outlines, numbers, rings.
+export async function bare(page) {
+  for (const key of ["g", "e", "v", "r"]) {
+    if ((await page.getAttribute(`button[data-key=${key}]`, "aria-pressed")) === "true") await press(page, key);
+  }
+}

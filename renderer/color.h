@@ -1,0 +1,119 @@
+// Programs that give a colour: their fragments' inputs in lanes, and the packed attachment that takes the colours
+// (Vulkan, "Interpolation decorations", "Conversion From Floating-Point to Normalized Fixed-Point").
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "renderer/interpolation.h"
+#include "renderer/lanes.h"
+
+namespace fillrule::renderer {
+
+// R8G8B8A8_UNORM, red in the lowest byte: one value for each sample, row by row from the top left, the samples of a
+// pixel side by side. The caller owns the values; without a colour attachment there are none.
+struct ColorBuffer {
+  std::span<uint32_t> values;
+  std::optional<uint32_t> clear;  // what all of it is set to before the draw
+};
+
+using Vec4 = std::array<float, 4>;
+
+// A vec4 over a primitive: four functions that are linear in the window, of x and y in pixels from an anchor.
+struct VaryingPlanes {
+  Vec4 at_anchor;
+  Vec4 step_x;
+  Vec4 step_y;
+};
+
+// The same of one number.
+struct VaryingPlane {
+  float at_anchor;
+  float step_x;
+  float step_y;
+
+  template <typename L>
+  [[gnu::always_inline]] typename L::Float at(const typename L::Float& x, const typename L::Float& y) const {
+    return L::all(at_anchor) + L::all(step_x) * x + L::all(step_y) * y;
+  }
+};
+
+template <typename L>
+using Color = std::array<typename L::Float, 4>;
+
+// What the fragments of a row of pixels, or one fragment, have in common with their program.
+template <typename L>
+struct FragmentLanes {
+  typename L::Float x;  // of the pixels' centres, or of the sample under sample shading: pixels from the anchor
+  typename L::Float y;
+  typename L::Float w;  // clip space; smooth varyings are divided by it
+
+  // A smooth varying, perspective-correct.
+  [[gnu::always_inline]] Color<L> smooth(const VaryingPlanes& planes) const {
+    return {at<0>(planes) * w, at<1>(planes) * w, at<2>(planes) * w, at<3>(planes) * w};
+  }
+  [[gnu::always_inline]] static Color<L> flat(const Vec4& value) {
+    return {L::all(value[0]), L::all(value[1]), L::all(value[2]), L::all(value[3])};
+  }
+
+ private:
+  template <size_t kComponent>
+  [[gnu::always_inline]] typename L::Float at(const VaryingPlanes& planes) const {
+    const VaryingPlane plane{planes.at_anchor[kComponent], planes.step_x[kComponent], planes.step_y[kComponent]};
+    return plane.template at<L>(x, y);
+  }
+};
+
+// The plane of 1/w, likewise; meaningless where weights have to be constrained.
+inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolation, int32_t anchor_x,
+                                       int32_t anchor_y) {
+  const auto& [l0, l1, l2] = interpolation.per_w;
+  return {.at_anchor = static_cast<float>(interpolation.reciprocal_w_at(anchor_x, anchor_y)),
+          .step_x = static_cast<float>(l0.step_x + l1.step_x + l2.step_x),
+          .step_y = static_cast<float>(l0.step_y + l1.step_y + l2.step_y)};
+}
+
+// The planes of value / w, for FragmentLanes::smooth(), of a primitive whose vertices have these values. The anchor
+// is a pixel at or near the fragments that they are for; the sums are in double, so that only their result is
+// rounded.
+[[gnu::always_inline]] inline VaryingPlanes smooth_planes(const PrimitiveInterpolation& interpolation,
+                                                          int32_t anchor_x, int32_t anchor_y, const Vec4& value0,
+                                                          const Vec4& value1, const Vec4& value2) {
+  const double x = anchor_x - interpolation.anchor_x;
+  const double y = anchor_y - interpolation.anchor_y;
+  const auto& [l0, l1, l2] = interpolation.per_w;
+  const double at0 = l0.at(x, y);
+  const double at1 = l1.at(x, y);
+  const double at2 = l2.at(x, y);
+  VaryingPlanes planes;
+  for (size_t i = 0; i < 4; ++i) {
+    const double a = value0[i];
+    const double b = value1[i];
+    const double c = value2[i];
+    planes.at_anchor[i] = static_cast<float>(at0 * a + at1 * b + at2 * c);
+    planes.step_x[i] = static_cast<float>(l0.step_x * a + l1.step_x * b + l2.step_x * c);
+    planes.step_y[i] = static_cast<float>(l0.step_y * a + l1.step_y * b + l2.step_y * c);
+  }
+  return planes;
+}
+
+// Clamped to [0, 1], NaN to 0, and to the nearest of 256 codes, ties to even.
+template <typename L>
+[[gnu::always_inline]] inline typename L::Int packed_unorm8(const Color<L>& color) {
+  const auto code = [](typename L::Float value) __attribute__((always_inline)) {
+    value = value > L::all(0.0F) ? value : L::all(0.0F);
+    value = value < L::all(1.0F) ? value : L::all(1.0F);
+    return L::bits_of(value * L::all(255.0F) + L::all(0x1.8p23F));  // leaves no bit for a fraction
+  };
+  // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.
+  constexpr uint32_t kNoFraction = 0x4B400000;
+  constexpr auto kRest =
+      static_cast<int32_t>(kNoFraction ^ kNoFraction << 8U ^ kNoFraction << 16U ^ kNoFraction << 24U);
+  return code(color[0]) ^ code(color[1]) << 8 ^ code(color[2]) << 16 ^ code(color[3]) << 24 ^ kRest;
+}
+
+}  // namespace fillrule::renderer

@@ -1,0 +1,230 @@
+// Lanes: one kernel source for a pixel at a time and for several.
+//
+// A lane type has Float, Int and Double, one of each for every lane, and Mask, what comparing two Floats or two Ints
+// gives. All of them take the operators of C++, and `mask ? a : b` chooses lane by lane. Each operation is IEEE's own
+// in each lane, none is fused and none reassociated: so any lane type gives the bytes of ScalarLanes.
+//
+// Vectors are the compilers' vector extension, which GCC and Clang translate for the instructions of the function
+// that they are inlined into (isa.h chooses those at run time). Whatever takes or returns lanes must therefore be
+// inlined always: [[gnu::always_inline]].
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <utility>
+
+namespace fillrule::renderer {
+
+struct ScalarLanes {
+  static constexpr uint32_t kWidth = 1;
+  using Float = float;
+  using Int = int32_t;
+  using Double = double;
+  using Mask = bool;
+
+  // The same in every lane; -0 becomes 0.
+  static Float all(float value) { return value + 0.0F; }
+  static Double all(double value) { return value + 0.0; }
+  // The lanes' numbers: 0, 1, 2 ...
+  static Int numbers() { return 0; }
+
+  // As many consecutive values as there are lanes.
+  static Float load(const float* values) { return *values; }
+  static Double load(const double* values) { return *values; }
+  static Int load(const int32_t* values) { return *values; }
+  static Int load(const uint32_t* values) { return static_cast<Int>(*values); }
+  template <typename Value, typename T>
+  static void store(Value value, T* values) {
+    *values = static_cast<T>(value);
+  }
+
+  static Float to_float(Double value) { return static_cast<float>(value); }
+  static Float to_float(Int value) { return static_cast<float>(value); }
+  static Double to_double(Float value) { return value; }
+  static Double to_double(Int value) { return value; }
+  static Int bits_of(Float value) {
+    Int bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+  }
+
+  // The lanes' lowest bytes, lane 0 lowest.
+  static uint64_t low_bytes(Int value) { return static_cast<uint64_t>(value) & 0xFFU; }
+
+  static bool any(Mask mask) { return mask; }
+  static Mask negated(Mask mask) { return !mask; }
+  // Bit i: lane i.
+  static Mask mask_of(uint32_t bits) { return (bits & 1U) != 0; }
+  static uint32_t bits_of(Mask mask) { return mask ? 1 : 0; }
+
+  // Lane i of kPart's vector gets lane (kPart * kWidth + i) / kTimes: each lane kTimes, over kTimes vectors.
+  template <uint32_t kTimes, uint32_t kPart>
+  static Int repeated(Int value) {
+    return value;
+  }
+};
+
+template <typename T, uint32_t kBytes>
+struct SimdVector {
+  using Type [[gnu::vector_size(kBytes)]] = T;
+};
+
+// kFloatBytes: of a vector of floats. kDoubleBytes: of the vectors that Double is made of, one or two.
+template <uint32_t kFloatBytes, uint32_t kDoubleBytes>
+struct VectorLanes {
+  static constexpr uint32_t kWidth = kFloatBytes / sizeof(float);
+  static constexpr uint32_t kParts = kWidth * sizeof(double) / kDoubleBytes;
+  static_assert(kParts == 1 || kParts == 2);
+
+  using Float = typename SimdVector<float, kFloatBytes>::Type;
+  using Int = typename SimdVector<int32_t, kFloatBytes>::Type;
+  using Mask = Int;  // all bits of a lane, or none
+  using Part = typename SimdVector<double, kDoubleBytes>::Type;
+  using HalfFloat = typename SimdVector<float, kDoubleBytes / 2>::Type;
+  using HalfInt = typename SimdVector<int32_t, kDoubleBytes / 2>::Type;
+  using Bytes = typename SimdVector<int8_t, kWidth>::Type;
+
+  struct Double {
+    Part parts[kParts];  // NOLINT(modernize-avoid-c-arrays): std::array's members would have to be inlined always
+
+    template <typename Operation>
+    [[gnu::always_inline]] static Double each(const Double& a, const Double& b, const Operation& operation) {
+      if constexpr (kParts == 1) {
+        return {{operation(a.parts[0], b.parts[0])}};
+      } else {
+        return {{operation(a.parts[0], b.parts[0]), operation(a.parts[1], b.parts[1])}};
+      }
+    }
+    [[gnu::always_inline]] friend Double operator+(const Double& a, const Double& b) {
+      return each(
+          a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p + q; });
+    }
+    [[gnu::always_inline]] friend Double operator-(const Double& a, const Double& b) {
+      return each(
+          a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p - q; });
+    }
+    [[gnu::always_inline]] friend Double operator*(const Double& a, const Double& b) {
+      return each(
+          a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p * q; });
+    }
+    [[gnu::always_inline]] friend Double operator/(const Double& a, const Double& b) {
+      return each(
+          a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p / q; });
+    }
+  };
+
+  // Without the addition GCC 12 fills the lanes one by one.
+  [[gnu::always_inline]] static Float all(float value) { return value + Float{}; }
+  [[gnu::always_inline]] static Double all(double value) {
+    Double result;
+    for (Part& part : result.parts) {
+      part = value + Part{};
+    }
+    return result;
+  }
+  [[gnu::always_inline]] static Int numbers() { return numbers(std::make_integer_sequence<int32_t, kWidth>()); }
+
+  [[gnu::always_inline]] static Float load(const float* values) { return loaded<Float>(values); }
+  [[gnu::always_inline]] static Int load(const int32_t* values) { return loaded<Int>(values); }
+  [[gnu::always_inline]] static Int load(const uint32_t* values) { return loaded<Int>(values); }
+  [[gnu::always_inline]] static Double load(const double* values) { return loaded<Double>(values); }
+  template <typename Value, typename T>
+  [[gnu::always_inline]] static void store(const Value& vector, T* values) {
+    std::memcpy(values, &vector, sizeof vector);
+  }
+
+  [[gnu::always_inline]] static Float to_float(const Double& value) {
+    if constexpr (kParts == 1) {
+      return __builtin_convertvector(value.parts[0], Float);
+    } else {
+      return joined<Float>(__builtin_convertvector(value.parts[0], HalfFloat),
+                           __builtin_convertvector(value.parts[1], HalfFloat),
+                           std::make_integer_sequence<int, kWidth>());
+    }
+  }
+  [[gnu::always_inline]] static Float to_float(const Int& value) { return __builtin_convertvector(value, Float); }
+  [[gnu::always_inline]] static Double to_double(const Float& value) { return widened<HalfFloat>(value); }
+  [[gnu::always_inline]] static Double to_double(const Int& value) { return widened<HalfInt>(value); }
+  [[gnu::always_inline]] static Int bits_of(const Float& value) {
+    Int bits;
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+  }
+
+  [[gnu::always_inline]] static bool any(const Mask& mask) {
+    uint64_t words[kFloatBytes / sizeof(uint64_t)];  // NOLINT(modernize-avoid-c-arrays)
+    std::memcpy(words, &mask, sizeof words);
+    uint64_t all_words = 0;
+    for (const uint64_t word : words) {
+      all_words |= word;
+    }
+    return all_words != 0;
+  }
+  [[gnu::always_inline]] static Mask negated(const Mask& mask) { return ~mask; }
+  [[gnu::always_inline]] static Mask mask_of(uint32_t bits) {
+    // The bits in every byte, of which each byte keeps its own.
+    const uint64_t own_bits = (bits & kAllBits) * kEachByte & kOneOfEach;
+    Bytes bytes;
+    std::memcpy(&bytes, &own_bits, sizeof bytes);
+    return __builtin_convertvector(bytes, Int) != 0;
+  }
+  // The lanes' lowest bytes, lane 0 lowest.
+  [[gnu::always_inline]] static uint64_t low_bytes(const Int& value) {
+    const Bytes bytes = __builtin_convertvector(value, Bytes);
+    uint64_t result = 0;
+    std::memcpy(&result, &bytes, sizeof bytes);
+    return result;
+  }
+  [[gnu::always_inline]] static uint32_t bits_of(const Mask& mask) {
+    // The product moves one bit of each byte to the top byte.
+    return static_cast<uint32_t>((low_bytes(mask) & kOneOfEach) * kEachByte >> 56U);
+  }
+
+  template <uint32_t kTimes, uint32_t kPart>
+  [[gnu::always_inline]] static Int repeated(const Int& value) {
+    return repeated<kTimes, kPart>(value, std::make_integer_sequence<uint32_t, kWidth>());
+  }
+
+ private:
+  static constexpr uint64_t kEachByte = 0x0101010101010101U;
+  static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
+  static constexpr uint64_t kAllBits = (1U << kWidth) - 1;
+
+  template <int32_t... kNumbers>
+  [[gnu::always_inline]] static Int numbers(std::integer_sequence<int32_t, kNumbers...> /*all*/) {
+    return Int{kNumbers...};
+  }
+  template <typename Value, typename T>
+  [[gnu::always_inline]] static Value loaded(const T* values) {
+    Value vector;
+    std::memcpy(&vector, values, sizeof vector);
+    return vector;
+  }
+  template <typename Value, typename Half, int... kNumbers>
+  [[gnu::always_inline]] static Value joined(const Half& low, const Half& high,
+                                             std::integer_sequence<int, kNumbers...> /*all*/) {
+    return __builtin_shufflevector(low, high, kNumbers...);
+  }
+  template <typename Half, typename Value>
+  [[gnu::always_inline]] static Double widened(const Value& value) {
+    Double result;
+    for (uint32_t i = 0; i < kParts; ++i) {
+      Half half;
+      std::memcpy(&half, reinterpret_cast<const std::byte*>(&value) + i * sizeof half, sizeof half);  // NOLINT
+      result.parts[i] = __builtin_convertvector(half, Part);
+    }
+    return result;
+  }
+  template <uint32_t kTimes, uint32_t kPart, uint32_t... kNumbers>
+  [[gnu::always_inline]] static Int repeated(const Int& value, std::integer_sequence<uint32_t, kNumbers...> /*all*/) {
+    return __builtin_shufflevector(value, value, static_cast<int>((kPart * kWidth + kNumbers) / kTimes)...);
+  }
+};
+
+using Sse41Lanes = VectorLanes<16, 16>;
+using Avx2Lanes = VectorLanes<32, 32>;
+using Avx512Lanes = VectorLanes<32, 64>;
+
+}  // namespace fillrule::renderer
