@@ -69,7 +69,7 @@ mkdir expected
 printf '[[deviation]]\ncases = ["good"]\nplanes = ["owner"]\nreason = "r"\nsource = "s"\n' >expected/lavapipe-22.3.6.toml
 expect 0 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected
 expect 1 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected --strict-reference
-expect 0 'times that' "$fillrule" run own/good.toml --timing
+expect 0 'times the reference alone' "$fillrule" run own/good.toml --timing
 expect 0 'good.png' "$fillrule" show own/good.toml --report "$work/shown"
 [ -s "$work/shown/good.png" ] && [ -s "$work/shown/good.reference.exr" ] || { echo 'FAILED: no pictures'; failures=$((failures + 1)); }
 
@@ -152,11 +152,11 @@ expect 0 'The sample lies' "$fillrule" explain own/good.toml --pixel 4,4
 expect 2 'pixel 99,4 is not in the target of 16 x 16 pixels' "$fillrule" explain own/good.toml --pixel 99,4
 expect 2 "--pixel takes X,Y" "$fillrule" explain own/good.toml --pixel 4
 expect 2 'sample 4 is not in a target of 1 sample per pixel' "$fillrule" explain own/good.toml --pixel 4,4 --sample 4
-expect 2 '--sample: Number less than 0' "$fillrule" explain own/good.toml --pixel 4,4 --sample -1
-expect 2 '--seed: Number less than 0' "$fillrule" stress --seed -1 --triangles 16
-expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles -1
-expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles 0
-expect 2 '--grid: Number less or equal to 0' "$fillrule" exhaust --grid -4
+expect 2 '--sample: not a whole number from 0' "$fillrule" explain own/good.toml --pixel 4,4 --sample -1
+expect 2 '--seed: not a whole number from 0' "$fillrule" stress --seed -1 --triangles 16
+expect 2 '--triangles: not a whole number from 1' "$fillrule" stress --triangles -1
+expect 2 '--triangles: not a whole number from 1' "$fillrule" stress --triangles 0
+expect 2 '--grid: not a whole number from 1' "$fillrule" exhaust --grid -4
 expect 2 '4 cases match' "$fillrule" explain coverage/shared_diagonal --pixel 4,4
 expect 0 'triangles a second' "$fillrule" stress --triangles 500 --reference none --out "$work/stress"
 expect 2 'medium' "$fillrule" stress --families medium --out "$work/stress"

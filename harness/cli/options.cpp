@@ -63,6 +63,15 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 
 }  // namespace
 
+CLI::Validator at_least(uint32_t least) {
+  const auto check = [least](const std::string& text) {
+    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    const bool zero = text.find_first_not_of('0') == std::string::npos;
+    return whole && !(zero && least > 0) ? std::string() : fmt::format("not a whole number from {}: {}", least, text);
+  };
+  return {check, "", "at_least"};
+}
+
 std::string default_root() {
   const std::string here = "cases";
   return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";

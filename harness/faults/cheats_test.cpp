@@ -20,11 +20,17 @@ namespace {
 
 constexpr uint32_t kSubpixelBits = 8;
 
+// A vertex with w = 0 is infinitely far away in the window, and so far may the values of its triangles be off.
+bool reaches_infinity(const Draw& draw) {
+  return std::ranges::any_of(draw.positions, [](const ClipPosition& position) { return position[3] == 0; });
+}
+
 bool is_certain(const Case& one, const exact::Expectation& expectation, const exact::Entry& entry) {
   const exact::Piece& piece = expectation.pieces()[entry.piece];
   const RasterState& state = one.draws[piece.draw].state;
-  return entry.coverage == exact::Coverage::kMust && !piece.facing_in_doubt && !piece.thin && !piece.open &&
-         !piece.of_polygon && !state.depth_test && !state.depth_bounds;
+  return !reaches_infinity(one.draws[piece.draw]) && entry.coverage == exact::Coverage::kMust &&
+         !piece.facing_in_doubt && !piece.thin && !piece.open && !piece.of_polygon && !state.depth_test &&
+         !state.depth_bounds;
 }
 
 // Whether the two values are so far apart that no latitude is: a flat one by a bit, any other by a tenth of the
