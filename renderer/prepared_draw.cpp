@@ -72,7 +72,8 @@ Result<void> check_lines_and_points(const DrawInput& input) {
   const RasterState& state = input.state;
   const Shape shape = shape_of(input.vertices.topology, state.polygon_mode);
   if (shape == Shape::kLine && !(state.line_width > 0 && state.line_width <= kMaxLineWidth)) {
-    return failure(fmt::format("line_width is {}", state.line_width), fmt::format("above 0, at most {}", kMaxLineWidth));
+    return failure(fmt::format("line_width is {}", state.line_width),
+                   fmt::format("above 0, at most {}", kMaxLineWidth));
   }
   const size_t sizes = input.vertices.point_sizes.size();
   if (sizes != 0 && sizes != input.vertices.vertex_count) {

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "cases/model/case.h"
+#include "cases/model/scene.h"
 
 namespace fillrule::format {
 
@@ -129,6 +130,50 @@ inline constexpr std::array<EnumName<PositionSpace>, 3> kPositionSpaces{{
     {"clip", PositionSpace::kClip},
     {"ndc", PositionSpace::kNdc},
     {"framebuffer", PositionSpace::kFramebuffer},
+}};
+
+inline constexpr std::array<EnumName<Handedness>, 2> kHandedness{{
+    {"right", Handedness::kRight},
+    {"left", Handedness::kLeft},
+}};
+
+inline constexpr std::array<EnumName<DrawOrder>, 2> kDrawOrders{{
+    {"depth_buffer", DrawOrder::kDepthBuffer},
+    {"painter", DrawOrder::kPainter},
+}};
+
+inline constexpr std::array<EnumName<TransformOn>, 2> kTransformOn{{
+    {"host", TransformOn::kHost},
+    {"both", TransformOn::kBoth},
+}};
+
+inline constexpr std::array<EnumName<Normals>, 3> kNormals{{
+    {"file", Normals::kFile},
+    {"flat", Normals::kFlat},
+    {"smooth", Normals::kSmooth},
+}};
+
+inline constexpr std::array<EnumName<VkFilter>, 2> kFilters{{
+    {"nearest", VK_FILTER_NEAREST},
+    {"bilinear", VK_FILTER_LINEAR},
+}};
+
+inline constexpr std::array<EnumName<VkSamplerAddressMode>, 4> kWrapModes{{
+    {"repeat", VK_SAMPLER_ADDRESS_MODE_REPEAT},
+    {"mirrored_repeat", VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT},
+    {"clamp_to_edge", VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE},
+    {"clamp_to_border", VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER},
+}};
+
+inline constexpr std::array<EnumName<VkBorderColor>, 2> kBorderColors{{
+    {"black", VK_BORDER_COLOR_FLOAT_OPAQUE_BLACK},
+    {"white", VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE},
+}};
+
+inline constexpr std::array<EnumName<Mipmaps>, 3> kMipmaps{{
+    {"none", Mipmaps::kNone},
+    {"nearest", Mipmaps::kNearest},
+    {"linear", Mipmaps::kLinear},
 }};
 
 template <typename T, size_t N>

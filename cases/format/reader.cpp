@@ -1,5 +1,6 @@
 #include "cases/format/reader.h"
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
 #include <cerrno>
@@ -28,7 +29,7 @@ class FileReader {
   CaseFile read(const std::string& name) {
     check_keys({root_, "the case file"},
                {"title", "why", "spec", "origin", "tags", "control", "expect", "opt_out", "target", "state",
-                "varyings", "let", "sweep", "draw"},
+                "varyings", "let", "sweep", "draw", "scene"},
                diagnostics_);
     Case head{.file = diagnostics_.file()};
     read_head(root_, diagnostics_, head);
@@ -76,13 +77,33 @@ class FileReader {
     Case expanded = head;
     expanded.target = read_target(root_, values_);
     RasterState state = default_state(expanded.target);
+    const toml::node* const scene_node = root_.get("scene");
+    Scene scene;
+    if (scene_node != nullptr) {
+      scene = read_scene(*scene_node, values_);
+      state.depth_test = scene.order == DrawOrder::kDepthBuffer;
+    }
     if (const toml::node* const node = root_.get("state")) {
       const toml::table* const table = as_table(*node, "state", diagnostics_);
       if (table != nullptr) read_state({*table, "[state]"}, expanded.target, values_, state);
     }
+    if (scene_node != nullptr) {
+      for (const char* const key : {"varyings", "draw"}) refuse_beside_scene(key);
+      scene.state = state;
+      expanded.scene = std::make_shared<const Scene>(std::move(scene));
+      return expanded;
+    }
     expanded.varyings = read_varyings(root_, values_);
     expanded.draws = read_draws(root_, expanded.target, expanded.varyings, state, values_);
     return expanded;
+  }
+
+  // The scene's models have their own.
+  void refuse_beside_scene(const char* key) {
+    const toml::node* const node = root_.get(key);
+    if (node == nullptr) return;
+    diagnostics_.add(place_of(*node), fmt::format("\"{}\" beside [scene]", key),
+                     "a scene's geometry and varyings come from its models");
   }
 
   const toml::table& root_;

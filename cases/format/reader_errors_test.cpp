@@ -43,7 +43,7 @@ TEST(BadHead, UnknownKey) {
             "a.toml:4:1: unknown key \"titel\" in the case file\n  hint: did you mean \"title\"?\n");
   EXPECT_EQ(errors_with_draw("blue = 'x'\n"),
             "a.toml:4:1: unknown key \"blue\" in the case file\n  hint: known keys: title, why, spec, origin, tags, "
-            "control, expect, opt_out, target, state, varyings, let, sweep, draw\n");
+            "control, expect, opt_out, target, state, varyings, let, sweep, draw, scene\n");
 }
 
 TEST(BadHead, OptOuts) {

@@ -2,13 +2,17 @@
 // leaves an error in the diagnostics and a default in the result, so that reading goes on and finds the other errors.
 #pragma once
 
+#include <fmt/format.h>
 #include <toml++/toml.h>
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "cases/format/toml_access.h"
 #include "cases/format/values.h"
 #include "cases/model/case.h"
+#include "cases/model/scene.h"
 
 namespace fillrule::format {
 
@@ -31,5 +35,22 @@ std::vector<Varying> read_varyings(const toml::table& root, Values& values);
 // [[draw]], all of them.
 std::vector<Draw> read_draws(const toml::table& root, const Target& target, const std::vector<Varying>& varyings,
                              const RasterState& state, Values& values);
+
+// [scene] and its objects, but for their draws, which are made where models and images can be read.
+Scene read_scene(const toml::node& node, Values& values);
+// The material of an object: [scene.object.material].
+Material read_material(const toml::table& table, Values& values);
+// Numbers in an array, as many as `result` has; it keeps its values where they will not do.
+template <size_t N>
+void read_vector(const toml::node& node, std::string_view label, Values& values, std::array<double, N>& result) {
+  const toml::array* const array =
+      as_array(node, label, fmt::format("an array of {} numbers", N), values.diagnostics());
+  if (array == nullptr) return;
+  if (array->size() != N) {
+    values.diagnostics().add(place_of(node), fmt::format("{} must be {} numbers, not {}", label, N, array->size()));
+    return;
+  }
+  for (size_t i = 0; i < N; ++i) result[i] = values.finite(*array->get(i), label).value_or(result[i]);
+}
 
 }  // namespace fillrule::format

@@ -140,7 +140,7 @@ TEST_F(SuiteTest, TheOtherFilesOfABadOneStillCount) {
   EXPECT_EQ(errors(),
             "suite/coverage/bad.toml:4:1: unknown key \"x\" in the case file\n"
             "  hint: known keys: title, why, spec, origin, tags, control, expect, opt_out, target, state, varyings, "
-            "let, sweep, draw\n");
+            "let, sweep, draw, scene\n");
   EXPECT_THAT(names({"coverage/bad[x=1]"}), IsEmpty());
   EXPECT_EQ(suite_.errors.size(), 1U);
 }

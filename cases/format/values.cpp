@@ -46,6 +46,16 @@ std::optional<float> Values::finite_float32(const toml::node& node, std::string_
   return value;
 }
 
+std::optional<double> Values::finite(const toml::node& node, std::string_view label) {
+  const auto value = number(node, label);
+  if (!value) return std::nullopt;
+  if (!std::isfinite(value->value)) {
+    diagnostics_.add(place_of(node), fmt::format("{} must be finite, not {}", label, value->value));
+    return std::nullopt;
+  }
+  return value->value;
+}
+
 std::optional<int64_t> Values::integer(const toml::node& node, std::string_view label, IntegerRange range) {
   const auto value = number(node, label);
   if (!value) return std::nullopt;

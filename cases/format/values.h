@@ -33,6 +33,7 @@ class Values {
   // Rounded to float32; NaN and infinity only where they stand in the file or come from a variable.
   std::optional<float> float32(const toml::node& node, std::string_view label);
   std::optional<float> finite_float32(const toml::node& node, std::string_view label);
+  std::optional<double> finite(const toml::node& node, std::string_view label);
   std::optional<int64_t> integer(const toml::node& node, std::string_view label, IntegerRange range);
 
   std::optional<bool> boolean(const toml::node& node, std::string_view label);

@@ -8,12 +8,15 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace fillrule {
+
+struct Scene;  // cases/model/scene.h
 
 // The limits of the format. 16384 is the largest viewport of the reference drivers.
 inline constexpr uint32_t kMaxTargetSize = 16384;
@@ -150,6 +153,9 @@ struct Case {
   Target target;
   std::vector<Varying> varyings;
   std::vector<Draw> draws;
+  // What the draws are of and how they are shaded: the file's [scene]; null where a file gives its draws itself.
+  // The draws of a scene are made by harness/scene.
+  std::shared_ptr<const Scene> scene;
 };
 
 // The number of planes that the varyings fill, built-ins included.

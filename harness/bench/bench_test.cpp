@@ -58,7 +58,9 @@ TEST(Renderer, DrawsTheSameColorsWithAnyInstructionSetAndThreads) {
 }
 
 TEST(Measure, ComparesTheRendererWithTheDriver) {
-  for (const Scene& scene : small_scenes()) {
+  const std::vector<Scene> small = small_scenes();
+  for (const Scene& scene : small) {
+    SCOPED_TRACE(&scene - &small[0]);
     const auto measured = measure("small", scene, {.repetitions = 1});
     ASSERT_TRUE(measured) << to_string(measured.error());
     EXPECT_EQ(measured->difference.coverage, 0U);

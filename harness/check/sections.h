@@ -7,7 +7,7 @@
 namespace fillrule::check {
 
 // By chapter. A section of Shader Built-Ins is "Built-In Variables: " and the variable.
-inline constexpr std::array<std::string_view, 56> kSections{
+inline constexpr std::array<std::string_view, 59> kSections{
     // Fundamentals
     "Floating-Point Computation", "Fixed-Point Data Conversions",
     // Invariance
@@ -34,6 +34,8 @@ inline constexpr std::array<std::string_view, 56> kSections{
     "Bresenham Line Segment Rasterization", "Polygons", "Basic Polygon Rasterization", "Polygon Mode", "Depth Bias",
     // Fragment Operations
     "Scissor Test", "Sample Mask Test", "Depth Test", "Depth Clamping and Range Adjustment", "Depth Comparison",
-    "Depth Attachment Writes", "Depth Bounds Test"};
+    "Depth Attachment Writes", "Depth Bounds Test",
+    // Image Operations
+    "Wrapping Operation", "Texel Filtering", "Level-of-Detail Operation"};
 
 }  // namespace fillrule::check

@@ -9,6 +9,7 @@
 #include "harness/check/check.h"
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::cli {
 namespace {
@@ -20,7 +21,7 @@ format::Suite whole_files(const format::Suite& selected, const std::string& root
   for (const Case& one : selected.cases) {
     if (seen.insert(one.file).second) files.push_back(one.file);
   }
-  return files.empty() ? format::Suite{} : format::load_suite(root, files);
+  return files.empty() ? format::Suite{} : scene::load_suite(root, files);
 }
 
 // The cases of other files that these name as their control. One that is not there is a finding, not an error.
@@ -33,7 +34,7 @@ std::vector<Case> controls_of(const std::vector<Case>& cases, const std::string&
   }
   if (elsewhere.empty()) return {};
   const std::vector<std::string> names(elsewhere.begin(), elsewhere.end());
-  return format::load_suite(root, names).cases;
+  return scene::load_suite(root, names).cases;
 }
 
 int check_cases(const SuiteOptions& options) {

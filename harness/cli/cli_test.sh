@@ -69,7 +69,7 @@ mkdir expected
 printf '[[deviation]]\ncases = ["good"]\nplanes = ["owner"]\nreason = "r"\nsource = "s"\n' >expected/lavapipe-22.3.6.toml
 expect 0 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected
 expect 1 'GONE from lavapipe: good (owner)' "$fillrule" run own/good.toml --expected expected --strict-reference
-expect 0 'times that' "$fillrule" run own/good.toml --timing
+expect 0 'times the reference alone' "$fillrule" run own/good.toml --timing
 expect 0 'good.png' "$fillrule" show own/good.toml --report "$work/shown"
 [ -s "$work/shown/good.png" ] && [ -s "$work/shown/good.reference.exr" ] || { echo 'FAILED: no pictures'; failures=$((failures + 1)); }
 
@@ -107,6 +107,17 @@ follow explain "$fillrule" stress --triangles 400 --families mixed_w --expected 
 printf '%s\n[[draw]]\nspace = "framebuffer"\npositions = [[1, 1], ["10.5 + 1/64", 1], ["10.5 + 1/64", 15]]\n' "$head" >"$work/own/good.toml"
 expect 0 '1 passed' "$fillrule" run own/good.toml --subpixel-bits 4
 
+# Classic faults, made on purpose.
+expect 0 'affine_varyings: smooth varyings' "$fillrule" faults --list
+expect 2 'did you mean "line_ties"?' "$fillrule" faults line_tie
+expect 2 'did you mean "line_ties"?' "$fillrule" run own/good.toml --candidate faults:line_tie
+expect 1 'FAILED  good' "$fillrule" run own/good.toml --candidate faults:pixel_corners --reference none
+expect 0 '1 passed' "$fillrule" run own/good.toml --candidate faults:none --reference none
+mkdir one && cp own/good.toml one/
+expect 1 'NOT CAUGHT pixel_corners     1 cases' "$fillrule" faults pixel_corners --suite one --json faults.json --markdown faults.md
+expect_file faults.json '"caught_by": 1'
+expect_file faults.md '| `pixel_corners` |'
+
 # The small world.
 expect 0 'lavapipe: equal to the oracle on all triangles' "$fillrule" exhaust --grid 2 --size 2
 expect 2 'a grid of 1/3 px' "$fillrule" exhaust --grid 3
@@ -114,16 +125,38 @@ expect 2 'cells of 5 x 5 px' "$fillrule" exhaust --size 5
 expect 2 "there is no candidate 'painter'" "$fillrule" exhaust --candidate painter
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" exhaust --reference voodoo
 
+# Scenes in colour.
+expect 0 "$work/cube.png" "$fillrule" render scenes/textured_cube -o "$work/cube.png"
+expect 0 "$work/driver.exr" "$fillrule" render scenes/textured_cube -o "$work/driver.exr" --by lavapipe --size 64x32
+expect 0 "$work/turn_002.png" "$fillrule" render scenes/textured_cube -o "$work/turn.png" --turntable 3 --size 32x32
+[ -s "$work/cube.png" ] && [ -s "$work/driver.exr" ] && [ -s "$work/turn_000.png" ] ||
+  { echo 'FAILED: no renderings'; failures=$((failures + 1)); }
+if cmp -s "$work/turn_000.png" "$work/turn_001.png"; then echo 'FAILED: the table does not turn'; failures=$((failures + 1)); fi
+printf 'v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n' >"$work/own/model.obj"
+expect 0 "$work/model.png" "$fillrule" render own/model.obj -o "$work/model.png"
+printf 'v 0 0 0\nf 1 2 3\n' >"$work/own/broken.obj"
+expect 2 'broken.obj:2:5: 2 in "2" names no "v"' "$fillrule" render own/broken.obj -o "$work/model.png"
+printf '%s\n[[scene.object]]\nmesh = "cubw"\n' "$head" >"$work/own/scene.toml"
+expect 2 'did you mean "cube"' "$fillrule" run own/scene.toml
+printf '%s\n[[scene.object]]\nmesh = "cube"\n' "$head" >"$work/own/scene.toml"
+expect 0 '1 passed' "$fillrule" run own/scene.toml
+rm own/scene.toml own/model.obj own/broken.obj
+expect 2 'is no scene' "$fillrule" render 'coverage/shared_diagonal[diagonal=0,shift_x=0]' -o "$work/a.png"
+expect 2 'cases match' "$fillrule" render scenes/mipmaps -o "$work/a.png"
+expect 2 'neither .png nor .exr' "$fillrule" render scenes/textured_cube -o "$work/a.jpg"
+expect 2 'WIDTHxHEIGHT' "$fillrule" render scenes/textured_cube -o "$work/a.png" --size 64
+expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" render scenes/textured_cube -o "$work/a.png" --by voodoo
+
 # One sample, and random triangles.
 expect 0 'The sample lies' "$fillrule" explain own/good.toml --pixel 4,4
 expect 2 'pixel 99,4 is not in the target of 16 x 16 pixels' "$fillrule" explain own/good.toml --pixel 99,4
 expect 2 "--pixel takes X,Y" "$fillrule" explain own/good.toml --pixel 4
 expect 2 'sample 4 is not in a target of 1 sample per pixel' "$fillrule" explain own/good.toml --pixel 4,4 --sample 4
-expect 2 '--sample: Number less than 0' "$fillrule" explain own/good.toml --pixel 4,4 --sample -1
-expect 2 '--seed: Number less than 0' "$fillrule" stress --seed -1 --triangles 16
-expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles -1
-expect 2 '--triangles: Number less or equal to 0' "$fillrule" stress --triangles 0
-expect 2 '--grid: Number less or equal to 0' "$fillrule" exhaust --grid -4
+expect 2 '--sample: not a whole number from 0' "$fillrule" explain own/good.toml --pixel 4,4 --sample -1
+expect 2 '--seed: not a whole number from 0' "$fillrule" stress --seed -1 --triangles 16
+expect 2 '--triangles: not a whole number from 1' "$fillrule" stress --triangles -1
+expect 2 '--triangles: not a whole number from 1' "$fillrule" stress --triangles 0
+expect 2 '--grid: not a whole number from 1' "$fillrule" exhaust --grid -4
 expect 2 '4 cases match' "$fillrule" explain coverage/shared_diagonal --pixel 4,4
 expect 0 'triangles a second' "$fillrule" stress --triangles 500 --reference none --out "$work/stress"
 expect 2 'medium' "$fillrule" stress --families medium --out "$work/stress"

@@ -24,6 +24,7 @@ void add_stress(CLI::App& app, int& exit_code);
 void add_explain(CLI::App& app, int& exit_code);
 void add_new(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
+void add_render(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
 void add_faults(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);

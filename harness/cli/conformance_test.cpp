@@ -5,8 +5,8 @@
 #include <iostream>
 #include <string>
 
-#include "cases/format/suite.h"
 #include "harness/run/suite_runner.h"
+#include "harness/scene/build.h"
 #include "harness/terminal/text.h"
 
 namespace {
@@ -31,6 +31,11 @@ class ConformanceTest : public testing::Test {
     ASSERT_TRUE(drawing) << to_string(drawing.error());
     EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::terminal::case_text(
         {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict}, {});
+    if (drawing->scene_colors) {
+      EXPECT_EQ(drawing->scene_colors->outcome, fillrule::judge::CheckResult::Outcome::kPassed)
+          << drawing->scene_colors->message;
+      EXPECT_EQ(drawing->scene_colors->message, "") << "a fault of the reference";
+    }
     const auto again = runner->draw(case_);
     ASSERT_TRUE(again) << to_string(again.error());
     // A case that the device cannot draw has been held against the oracle alone.
@@ -50,7 +55,7 @@ class ConformanceTest : public testing::Test {
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  const fillrule::format::Suite suite = fillrule::format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  const fillrule::format::Suite suite = fillrule::scene::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
   for (const fillrule::Error& error : suite.errors) std::cerr << to_string(error) << '\n';
   if (!suite.errors.empty() || suite.cases.empty()) return 2;
   for (const Case& one : suite.cases) {

@@ -231,11 +231,11 @@ void add_exhaust(CLI::App& app, int& exit_code) {
   exhaust.threads = std::max(std::thread::hardware_concurrency(), 1U);
   command->add_option("--grid", exhaust.world.grid, "vertices lie on multiples of 1/N px")
       ->type_name("N")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least(1))
       ->capture_default_str();
   command->add_option("--size", exhaust.world.size, "of the cell, in pixels")
       ->type_name("P")
-      ->check(CLI::PositiveNumber)
+      ->check(at_least(1))
       ->capture_default_str();
   command->add_option("--candidate", options->candidate, "who is judged: renderer, or a driver")
       ->capture_default_str();

@@ -92,7 +92,7 @@ void add_explain(CLI::App& app, int& exit_code) {
   add_party_options(*command, options->parties);
   command->add_option("--pixel", options->pixel, "which one, from the top left")->type_name("X,Y")->required();
   command->add_option("--sample", options->sample, "of the pixel; the one with the gravest verdict unless given")
-      ->check(CLI::NonNegativeNumber)
+      ->check(at_least(0))
       ->type_name("N");
   command->callback([options, &exit_code] { exit_code = run_explain(*options); });
 }

@@ -44,6 +44,7 @@ int main(int argc, char** argv) {
     add_exhaust(app, exit_code);
     add_faults(app, exit_code);
     add_bench(app, exit_code);
+    add_render(app, exit_code);
     const std::string given = argc > 1 ? argv[1] : "-";
     if (const auto known = check_command(app, given); !known) {
       print_error(known.error());

@@ -10,6 +10,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/terminal.h"
 #include "harness/report/json.h"
+#include "harness/report/merge_pages.h"
 #include "harness/report/pictures.h"
 #include "harness/run/counted.h"
 #include "harness/run/deviations.h"
@@ -91,8 +92,10 @@ int merge(const MergeOptions& options) {
   if (!can_write_output(options.output)) return kBadInput;
   const auto pictures = copy_pictures(options, *parts);
   if (!pictures) print_error(pictures.error());
+  const Result<void> page = report::merge_pages(options.folders, options.output.report_folder, *result, deviations);
+  if (!page) print_error(page.error());
   print_merged(options, *result, deviations);
-  const bool written = write_output(options.output, *result, deviations) && pictures;
+  const bool written = write_output(options.output, *result, deviations) && pictures && page;
   if (written) {
     fmt::print("merged {} into {}, with the pictures of {}\n", run::counted(parts->size(), "report"),
                options.output.report_folder, run::counted(*pictures, "case"));

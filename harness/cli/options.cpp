@@ -11,6 +11,7 @@
 
 #include "harness/cli/command.h"
 #include "harness/report/printable.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::cli {
 namespace {
@@ -62,6 +63,15 @@ void add_commands_for(const std::string& selector, const run::RunOptions& option
 
 }  // namespace
 
+CLI::Validator at_least(uint32_t least) {
+  const auto check = [least](const std::string& text) {
+    const bool whole = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
+    const bool zero = text.find_first_not_of('0') == std::string::npos;
+    return whole && !(zero && least > 0) ? std::string() : fmt::format("not a whole number from {}: {}", least, text);
+  };
+  return {check, "", "at_least"};
+}
+
 std::string default_root() {
   const std::string here = "cases";
   return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
@@ -96,11 +106,6 @@ void print_error(const Error& error) {
   fmt::print(stderr, "{}\n", report::printable_lines(to_string(error)));
 }
 
-std::string default_root() {
-  const std::string here = "cases";
-  return std::filesystem::is_directory(here) ? here : FILLRULE_SOURCE_DIR "/cases";
-}
-
 void add_suite_options(CLI::App& command, SuiteOptions& options) {
   options.root = default_root();
   command
@@ -113,7 +118,7 @@ void add_suite_options(CLI::App& command, SuiteOptions& options) {
 }
 
 format::Suite load(const SuiteOptions& options) {
-  format::Suite suite = format::load_suite(options.root, options.selectors);
+  format::Suite suite = scene::load_suite(options.root, options.selectors);
   for (const Error& error : suite.errors) print_error(error);
   return suite;
 }

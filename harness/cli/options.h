@@ -2,6 +2,7 @@
 #pragma once
 
 #include <CLI/App.hpp>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,9 @@
 namespace fillrule::cli {
 
 void print_error(const Error& error);
+
+// Whole numbers from `least`, 0 or 1. (Those of CLI11 name a limit of 308 digits.)
+CLI::Validator at_least(uint32_t least);
 
 // `cases` below the current folder, or else that of the sources the command was built from.
 std::string default_root();

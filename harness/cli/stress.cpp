@@ -95,11 +95,9 @@ void add_stress(CLI::App& app, int& exit_code) {
   run.jobs = std::max(std::thread::hardware_concurrency(), 1U);
   stress::StressOptions& stress = options->stress;
   command->add_option("--seed", stress.seed, "another one, other triangles")
-      ->check(CLI::NonNegativeNumber)
+      ->check(at_least(0))
       ->capture_default_str();
-  command->add_option("--triangles", stress.triangles, "at least so many")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
+  command->add_option("--triangles", stress.triangles, "at least so many")->check(at_least(1))->capture_default_str();
   command->add_option("--families", options->families, "kinds of triangles; all if none")
       ->delimiter(',')
       ->check(CLI::IsMember(family_names()));

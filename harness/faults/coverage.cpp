@@ -2,32 +2,35 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 namespace fillrule::faults {
 namespace {
 
-// On which side of the edge from a down to b the position is: negative on the right, 0 on the edge.
+// On which side of the edge from a to b the position is: 0 on the edge.
 template <typename Number>
 Number side_of(const Snapped& a, const Snapped& b, const Snapped& p) {
   return static_cast<Number>(b.x - a.x) * static_cast<Number>(p.y - a.y) -
          static_cast<Number>(p.x - a.x) * static_cast<Number>(b.y - a.y);
 }
 
+// The same as a linear function from the framebuffer's corner, its constant taken from the edge's first vertex.
+float side_in_float(const Snapped& a, const Snapped& b, const Snapped& p) {
+  const auto dx = static_cast<float>(b.x - a.x);
+  const auto dy = static_cast<float>(b.y - a.y);
+  const float constant = dy * static_cast<float>(a.x) - dx * static_cast<float>(a.y);
+  return dx * static_cast<float>(p.y) - dy * static_cast<float>(p.x) + constant;
+}
+
 int sign(auto value) {
   return (value > 0 ? 1 : 0) - (value < 0 ? 1 : 0);
 }
 
+// Negative where the position is to the right of the edge, whichever way that runs.
 int side_sign(const Context& context, const Snapped& a, const Snapped& b, const Snapped& p) {
-  if (context.has(Fault::kFloatEdges)) {
-    // As c + y dy - x dx with c for the whole edge, from the framebuffer's corner.
-    const auto constant =
-        static_cast<float>(a.x) * static_cast<float>(b.y) - static_cast<float>(a.y) * static_cast<float>(b.x);
-    return sign(static_cast<float>(b.x - a.x) * static_cast<float>(p.y) -
-                static_cast<float>(b.y - a.y) * static_cast<float>(p.x) + constant);
-  }
-  if (context.has(Fault::kEdgesIn32Bits)) return sign(static_cast<int32_t>(side_of<uint32_t>(a, b, p)));
-  return sign(side_of<__int128>(a, b, p));
+  const int down = a.y < b.y ? 1 : -1;
+  if (context.has(Fault::kFloatEdges)) return down * sign(side_in_float(a, b, p));
+  if (context.has(Fault::kEdgesIn32Bits)) return down * sign(static_cast<int32_t>(side_of<uint32_t>(a, b, p)));
+  return down * sign(side_of<__int128>(a, b, p));
 }
 
 bool is_on(const Snapped& a, const Snapped& b, const Snapped& p) {
@@ -37,11 +40,10 @@ bool is_on(const Snapped& a, const Snapped& b, const Snapped& p) {
 }
 
 // Whether the ray from the position to the left crosses the edge.
-bool crosses(const Context& context, Snapped a, Snapped b, const Snapped& p) {
+bool crosses(const Context& context, const Snapped& a, const Snapped& b, const Snapped& p) {
   const bool lower_end_counts = context.has(Fault::kBottomRightRule) || context.has(Fault::kHorizontalTies);
   const auto above = [&](const Snapped& end) { return lower_end_counts ? end.y < p.y : end.y <= p.y; };
   if (above(a) == above(b)) return false;
-  if (a.y > b.y) std::swap(a, b);
   const int side = side_sign(context, a, b, p);
   return context.has(Fault::kBottomRightRule) ? side < 0 : side <= 0;
 }

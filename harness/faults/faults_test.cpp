@@ -9,6 +9,7 @@
 #include "cases/format/suite.h"
 #include "harness/faults/table.h"
 #include "harness/faults/text.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::faults {
 namespace {
@@ -124,7 +125,7 @@ TEST(Readme, HasARowForEveryFault) {
 
 TEST(Readme, EveryCaseInItStillCatchesItsFault) {
   for (const ReadmeRow& row : readme_table()) {
-    const format::Suite suite = format::load_suite(FILLRULE_SOURCE_DIR "/cases", row.cases);
+    const format::Suite suite = scene::load_suite(FILLRULE_SOURCE_DIR "/cases", row.cases);
     EXPECT_THAT(suite.errors, IsEmpty()) << row.name << ": run ci/faults";
     const Result<Fault> fault = fault_named(row.name);
     ASSERT_TRUE(fault) << "run ci/faults";

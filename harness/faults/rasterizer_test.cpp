@@ -8,6 +8,7 @@
 #include "cases/format/reader.h"
 #include "cases/format/suite.h"
 #include "harness/judge/judge.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::faults {
 namespace {
@@ -44,7 +45,7 @@ TEST(NaiveRasterizer, MakesTheFaultThatItIsAskedFor) {
 }
 
 TEST(NaiveRasterizer, PassesTheWholeSuiteUnderEveryProfileOfTheOracle) {
-  const format::Suite suite = format::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
+  const format::Suite suite = scene::load_suite(FILLRULE_SOURCE_DIR "/cases", {});
   ASSERT_TRUE(suite.errors.empty());
   for (const Case& one : suite.cases) {
     const Planes planes = draw_case(one, Fault::kNone, 8);

@@ -8,4 +8,7 @@ namespace fillrule::programs {
 std::string varyings_vertex_glsl();
 std::string varyings_fragment_glsl();
 
+std::string shaded_vertex_glsl();
+std::string shaded_fragment_glsl();
+
 }  // namespace fillrule::programs

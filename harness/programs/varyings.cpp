@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include "harness/programs/draw_draws.h"
 
 namespace fillrule::programs {
 namespace {
@@ -85,7 +85,7 @@ FeatureSet renderer_features() {
   return features;
 }
 
-Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& options) {
+Result<Planes> cleared_planes(const Case& drawn_case) {
   if (const Result<void> checked =
           check_target(drawn_case.target).and_then([&] { return check_varyings(drawn_case); });
       !checked) {
@@ -94,41 +94,19 @@ Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& option
   const FeatureSet missing = features_of(drawn_case).without(renderer_features());
   if (!missing.empty()) return failure(fmt::format("the renderer lacks {}", to_string(missing)));
   const Target& target = drawn_case.target;
-  const auto samples = static_cast<uint32_t>(target.samples);
-  Planes planes =
-      Planes::cleared(target.width, target.height, samples, component_count(drawn_case.varyings),
-                      renderer::quantized_depth(renderer::max_depth_code(target.depth_format), target.clear_depth));
+  Planes planes = Planes::cleared(
+      target.width, target.height, static_cast<uint32_t>(target.samples), component_count(drawn_case.varyings),
+      renderer::quantized_depth(renderer::max_depth_code(target.depth_format), target.clear_depth));
   if (target.depth_format == VK_FORMAT_UNDEFINED) {
     planes.depth.clear();
   }
-  const bool sample_shading = std::any_of(drawn_case.varyings.begin(), drawn_case.varyings.end(),
-                                          [](const Varying& one) { return one.sampling == Sampling::kSample; });
-  uint32_t first_primitive = 0;
-  for (const Draw& draw : drawn_case.draws) {
-    const std::vector<ElementRun> runs = element_runs(draw);
-    const VaryingsProgram program(drawn_case.varyings, draw, first_primitive, planes);
-    const renderer::DrawInput input{
-        .target_width = target.width,
-        .target_height = target.height,
-        .samples = samples,
-        .sample_shading = sample_shading,
-        .vertices = {.topology = draw.topology,
-                     .vertex_count = static_cast<uint32_t>(draw.positions.size()),
-                     .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
-                     .vertex_offset = draw.vertex_offset,
-                     .runs = runs,
-                     .point_sizes = draw.point_sizes},
-        .clip_distances = {.count = draw.clip_distance_count, .values = draw.clip_distances},
-        .cull_distances = {.count = draw.cull_distance_count, .values = draw.cull_distances},
-        .state = draw.state,
-        .depth = {planes.depth, target.depth_format},
-    };
-    if (const Result<void> drawn = renderer::draw(input, program, options); !drawn) {
-      return tl::unexpected(drawn.error());
-    }
-    first_primitive += primitive_count(draw);
-  }
   return planes;
+}
+
+Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& options) {
+  return draw_draws(drawn_case, options, [&](size_t draw, uint32_t first_primitive, Planes& planes) {
+    return VaryingsProgram(drawn_case.varyings, drawn_case.draws[draw], first_primitive, planes);
+  });
 }
 
 }  // namespace fillrule::programs

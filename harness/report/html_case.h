@@ -12,8 +12,8 @@
 
 namespace fillrule::report {
 
-// So many samples are listed, the gravest ones, and so many of them explained, which takes rational arithmetic; of the
-// others the page tells values, verdict and class.
+// So many samples are listed, the gravest ones, and so many of them explained, which takes rational arithmetic; of
+// the others the page tells values, verdict and class.
 inline constexpr size_t kListedSamples = 64;
 inline constexpr size_t kExplainedSamples = 32;
 // So many outlines are drawn.

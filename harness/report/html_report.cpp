@@ -102,8 +102,10 @@ std::string HtmlReport::page(const run::RunResult& result, const run::DeviationR
            {"wall_seconds", result.summary.wall_seconds},
            {"most_bytes", most_bytes_},
            {"without_planes", without_planes_},
+           {"sentences", Json::object()},
            {"columns", kColumns},
            {"cases", Json::array()}};
+  for (const Block& block : blocks_) run["sentences"][std::to_string(block.index)] = block.sentence;
   for (size_t i = 0; i < result.cases.size(); ++i) {
     run["cases"].push_back(row_of(result.cases[i], unexpected.contains(result.cases[i].name), sentences[i]));
   }

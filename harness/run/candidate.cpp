@@ -36,7 +36,8 @@ Candidate make_renderer(std::string_view name, renderer::Fill fill, const Candid
           .subpixel_bits = options.subpixel_bits,
           .features = programs::renderer_features(),
           .check = check,
-          .draw = draw};
+          .draw = draw,
+          .paint = scene::renderer_painter(renderer_options)};
 }
 
 // The naive rasterizer, with a fault or a cheat: `draw(case, subpixel bits)`.
@@ -104,7 +105,8 @@ Result<Candidate> make_driver(const std::string& name, const CandidateOptions& o
                    .subpixel_bits = shared->device.device().subpixel_bits,
                    .features = shared->device.device().features,
                    .check = [shared](const Case& test_case) { return shared->check(test_case); },
-                   .draw = [shared](const Case& test_case, uint32_t) { return shared->draw(test_case); }};
+                   .draw = [shared](const Case& test_case, uint32_t) { return shared->draw(test_case); },
+                   .paint = scene::driver_painter_on_demand({.driver = name, .driver_files = options.driver_files})};
 }
 
 }  // namespace

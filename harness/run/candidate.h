@@ -10,6 +10,7 @@
 #include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
+#include "harness/scene/painters.h"
 #include "renderer/isa.h"
 
 namespace fillrule::run {
@@ -23,6 +24,8 @@ struct Candidate {
   std::function<Result<void>(const Case&)> check;
   // Draws with so many threads, 0 for the number in the options. May be called by several threads at once.
   std::function<Result<Planes>(const Case&, uint32_t threads)> draw;
+  // Draws scenes in colour; empty if it cannot.
+  scene::Painter paint;
 };
 
 struct CandidateOptions {

@@ -6,6 +6,7 @@
 #include "harness/run/job_queue.h"
 #include "harness/run/reference.h"
 #include "harness/run/stopwatch.h"
+#include "harness/scene/check.h"
 #include "reference/exact/features.h"
 
 namespace fillrule::run {
@@ -27,6 +28,17 @@ struct SuiteRunner::State {
   RunOptions options;
   Candidate candidate;
   std::optional<vulkan::Reference> reference;
+  scene::Painter reference_paint;  // empty without a reference
+  std::unique_ptr<scene::Assets> assets = std::make_unique<scene::Assets>();
+
+  // The colours of a scene; nothing of other cases, nor where the candidate cannot draw in colour.
+  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, bool with_reference) const {
+    if (!test_case.scene || !candidate.paint) return std::nullopt;
+    const scene::PaintingParty candidate_party{candidate.paint, candidate.subpixel_bits};
+    if (!with_reference) return scene::check_scene(test_case, *assets, candidate_party, nullptr);
+    const scene::PaintingParty reference_party{reference_paint, reference->device().subpixel_bits};
+    return scene::check_scene(test_case, *assets, candidate_party, &reference_party);
+  }
 
   [[nodiscard]] judge::Oracle ask_oracle(const Case& test_case, bool with_reference) const {
     const auto reference_bits =
@@ -77,6 +89,10 @@ struct SuiteRunner::State {
           test_case,
           {.draw = candidate.draw, .subpixel_bits = candidate.subpixel_bits, .features = candidate.features},
           *planes);
+      timing.check_seconds += stopwatch.lap();
+    }
+    if (std::optional<judge::CheckResult> colors = check_colors(test_case, reference_planes != nullptr)) {
+      result.checks.push_back(std::move(*colors));
       timing.check_seconds += stopwatch.lap();
     }
     result.seconds = whole.seconds();
@@ -177,11 +193,13 @@ Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
 }
 
 Result<SuiteRunner> SuiteRunner::create(const RunOptions& options, Candidate candidate) {
-  auto state = std::make_unique<State>(State{options, std::move(candidate), std::nullopt});
+  auto state = std::make_unique<State>(State{options, std::move(candidate), std::nullopt, nullptr});
   if (options.reference != kNoReference) {
     Result<vulkan::Reference> reference = open_device(options.reference, options.driver_files, options.validation);
     if (!reference) return tl::unexpected(reference.error());
     state->reference.emplace(std::move(*reference));
+    state->reference_paint = scene::driver_painter_on_demand(
+        {.driver = options.reference, .driver_files = options.driver_files, .validation = options.validation});
   }
   return SuiteRunner(std::move(state));
 }
@@ -230,6 +248,7 @@ Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   const Planes* const reference = drawing.reference ? &*drawing.reference : nullptr;
   const judge::Oracle oracle = state_->ask_oracle(test_case, reference != nullptr);
   drawing.verdict = state_->judge_case(test_case, oracle, drawing.candidate, reference, true);
+  drawing.scene_colors = state_->check_colors(test_case, reference != nullptr);
   return drawing;
 }
 

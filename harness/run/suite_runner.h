@@ -39,6 +39,7 @@ struct Drawing {
   Planes candidate;
   std::optional<Planes> reference;
   judge::CaseVerdict verdict;
+  std::optional<judge::CheckResult> scene_colors;  // of a scene, if the candidate can draw it in colour
 };
 
 // Told each time that a case is done, by whichever thread has done it.

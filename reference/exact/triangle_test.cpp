@@ -125,6 +125,18 @@ TEST(Triangle, FacingIsInDoubtOnlyBelowTheSnapError) {
   EXPECT_EQ(wide.orientation(), narrow.orientation());
 }
 
+TEST(Triangle, TwoEqualVerticesLeaveNoDoubtAboutFacing) {
+  const Latitude latitude = latitude_of(kViewport, 8);
+  const Triangle equal({at(10.3, 10.2), at(40.1, 30.7), at(40.1, 30.7)}, kViewport);
+  EXPECT_EQ(equal.orientation(), 0);
+  EXPECT_FALSE(equal.orientation_in_doubt(latitude));
+  // Rounding may give these an area, and so may clipping.
+  const Triangle on_a_line({at(10, 10), at(20, 20), at(40, 40)}, kViewport);
+  EXPECT_TRUE(on_a_line.orientation_in_doubt(latitude));
+  const Triangle clipped({at(10.3, 10.2), at(80.1, 30.7), at(80.1, 30.7)}, kViewport);
+  EXPECT_TRUE(clipped.orientation_in_doubt(latitude));
+}
+
 TEST(Triangle, KnowsTheSubpixelGrid) {
   const auto expect_on_grid = [](const Triangle& triangle, uint32_t bits, bool expected) {
     EXPECT_EQ(triangle.on_grid(bits), expected);

@@ -124,7 +124,7 @@ TEST(Device, IsLeftWithNothingOfOurs) {
   {
     const Result<Device> device = Device::create(*lavapipe);
     ASSERT_TRUE(device) << to_string(device.error());
-    Result<PipelineCache> pipelines = PipelineCache::create(*device, varyings_program(), true);
+    Result<PipelineCache> pipelines = PipelineCache::create(*device, varyings_program(), true, VK_NULL_HANDLE);
     ASSERT_TRUE(pipelines) << to_string(pipelines.error());
     Result<Submitter> submitter = Submitter::create(*device, *pipelines, 1);
     ASSERT_TRUE(submitter) << to_string(submitter.error());

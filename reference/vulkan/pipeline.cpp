@@ -52,7 +52,8 @@ std::string define_slots(const SlotCounts& slots) {
 
 }  // namespace
 
-Result<PipelineCache> PipelineCache::create(const Device& device, Program program, bool use_primitive_id) {
+Result<PipelineCache> PipelineCache::create(const Device& device, Program program, bool use_primitive_id,
+                                            VkDescriptorSetLayout resource_layout) {
   PipelineCache cache;
   cache.device_ = &device;
   cache.program_ = std::move(program);
@@ -61,6 +62,8 @@ Result<PipelineCache> PipelineCache::create(const Device& device, Program progra
   const VkPushConstantRange range{.stageFlags = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT,
                                   .size = sizeof(Numbering)};
   const VkPipelineLayoutCreateInfo info{.sType = VK_STRUCTURE_TYPE_PIPELINE_LAYOUT_CREATE_INFO,
+                                        .setLayoutCount = resource_layout == VK_NULL_HANDLE ? 0U : 1U,
+                                        .pSetLayouts = &resource_layout,
                                         .pushConstantRangeCount = 1,
                                         .pPushConstantRanges = &range};
   VkPipelineLayout layout = VK_NULL_HANDLE;

@@ -21,8 +21,10 @@ struct Numbering {
 
 class PipelineCache {
  public:
-  // Compiles the program once without slots, so that its faults show at once. `device` must outlive the cache.
-  static Result<PipelineCache> create(const Device& device, Program program, bool use_primitive_id);
+  // Compiles the program once without slots, so that its faults show at once. `device` and the layout of what the
+  // program reads beside its vertices, if that is not null, must outlive the cache.
+  static Result<PipelineCache> create(const Device& device, Program program, bool use_primitive_id,
+                                      VkDescriptorSetLayout resource_layout);
 
   [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
   [[nodiscard]] bool uses_primitive_id() const { return use_primitive_id_; }

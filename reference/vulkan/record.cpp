@@ -170,6 +170,10 @@ void record_pass(VkCommandBuffer commands, const PipelineCache& pipelines, VkBuf
     VkPipeline pipeline = pass.pipelines[uploaded.index];
     if (pipeline != bound) vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline);
     bound = pipeline;
+    if (!job.resource_sets.empty()) {
+      vkCmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipelines.layout(), 0, 1,
+                              &job.resource_sets[uploaded.index], 0, nullptr);
+    }
     set_state(commands, uploaded);
     pipelines.dynamic_state().set(commands, pipeline_key(*job.drawn, *uploaded.draw, pass.slots.counts));
     bind_vertices(commands, upload, uploaded, pass.slots, job.needs.packing.counts.interpolated());

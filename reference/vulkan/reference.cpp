@@ -1,8 +1,10 @@
 #include "reference/vulkan/reference.h"
 
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "reference/vulkan/resources.h"
 #include "reference/vulkan/submission.h"
 
 namespace fillrule::vulkan {
@@ -13,6 +15,7 @@ struct Reference::State {
 
   Instance instance;
   Device device;
+  std::optional<ResourceBinder> resources;  // none where the program reads nothing beside its vertices
   std::optional<PipelineCache> pipelines;
   std::optional<Submitter> submitter;
 };
@@ -28,7 +31,15 @@ Result<Reference> Reference::create(const Options& options) {
   auto state = std::make_unique<State>(std::move(*instance), std::move(*device));
   const bool use_primitive_id =
       options.primitive_number == PrimitiveNumber::kBest && state->device.info().has_primitive_id;
-  Result<PipelineCache> pipelines = PipelineCache::create(state->device, options.program, use_primitive_id);
+  VkDescriptorSetLayout resource_layout = VK_NULL_HANDLE;
+  if (options.program.uniform_bytes > 0) {
+    Result<ResourceBinder> resources = ResourceBinder::create(state->device, options.program.uniform_bytes);
+    if (!resources) return tl::unexpected(resources.error());
+    state->resources.emplace(std::move(*resources));
+    resource_layout = state->resources->layout();
+  }
+  Result<PipelineCache> pipelines =
+      PipelineCache::create(state->device, options.program, use_primitive_id, resource_layout);
   if (!pipelines) return tl::unexpected(pipelines.error());
   state->pipelines.emplace(std::move(*pipelines));
   Result<Submitter> submitter = Submitter::create(state->device, *state->pipelines, options.bytes_in_flight);
@@ -66,6 +77,24 @@ std::vector<Result<Planes>> Reference::draw(std::span<const Case* const> cases) 
   }
   submitter.draw(std::move(jobs), results);
   return results;
+}
+
+Result<Planes> Reference::draw(const Case& drawn, std::span<const DrawResources> resources) {
+  if (!state_->resources) return failure("the program reads nothing beside its vertices");
+  if (resources.size() != drawn.draws.size()) {
+    return failure(std::to_string(resources.size()) + " resources for " + std::to_string(drawn.draws.size()) +
+                   " draws");
+  }
+  Submitter& submitter = *state_->submitter;
+  Result<CaseNeeds> needs = submitter.needs(drawn);
+  if (!needs) return tl::unexpected(needs.error());
+  Result<std::vector<VkDescriptorSet>> sets = state_->resources->bind(resources);
+  if (!sets) return tl::unexpected(sets.error());
+  std::vector<CaseJob> jobs;
+  jobs.push_back({.drawn = &drawn, .needs = std::move(*needs), .resource_sets = std::move(*sets)});
+  std::vector<Result<Planes>> results(1);
+  submitter.draw(std::move(jobs), results);
+  return std::move(results.front());
 }
 
 std::vector<std::string> Reference::validation_messages() const {

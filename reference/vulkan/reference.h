@@ -8,6 +8,7 @@
 #include <vulkan/vulkan_core.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -18,6 +19,7 @@
 #include "cases/model/features.h"
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
+#include "cases/model/texture.h"
 
 namespace fillrule::vulkan {
 
@@ -61,9 +63,18 @@ Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver
 // and cull distances (float each). Fragment outputs: a hit (float) at location 0, the primitive's number + 1 with the
 // facing in the top bit (uint) at location 1, then the slots. Push constants: uint first_primitive,
 // vertices_per_primitive, first_provoking_vertex.
+//
+// A program with uniforms finds a uniform block of that size at set 0, binding 0, and a sampler2D at binding 1.
 struct Program {
   std::string vertex_glsl;
   std::string fragment_glsl;
+  uint32_t uniform_bytes = 0;  // 0: the program reads nothing beside its vertices
+};
+
+// What a program with uniforms reads in one draw.
+struct DrawResources {
+  std::span<const std::byte> uniforms;
+  std::shared_ptr<const Texture> texture;  // null: one white texel
 };
 
 // Where the primitive's number comes from.
@@ -101,6 +112,9 @@ class Reference {
   // Draws all cases in as few submissions as bytes_in_flight allows. Result i belongs to case i; the error of one
   // leaves the others drawn.
   std::vector<Result<Planes>> draw(std::span<const Case* const> cases);
+
+  // Draws one case with a program that has uniforms; `resources` has an entry for each draw of the case.
+  Result<Planes> draw(const Case& drawn, std::span<const DrawResources> resources);
 
   // Everything the validation layers had to say so far.
   [[nodiscard]] std::vector<std::string> validation_messages() const;

@@ -14,6 +14,7 @@
 #include "harness/report/failures.h"
 #include "harness/report/html/test/faults.h"
 #include "harness/report/json.h"
+#include "harness/scene/build.h"
 
 namespace {
 
@@ -89,7 +90,7 @@ int write_report(const std::string& folder, const std::string& fault, const std:
   const bool hostile = fault == "hostile";
   auto candidate = fillrule::report::make_broken(hostile ? "shifted" : fault);
   if (!candidate) return fail(candidate.error());
-  fillrule::format::Suite suite = fillrule::format::load_suite(FILLRULE_SOURCE_DIR "/cases", selectors);
+  fillrule::format::Suite suite = fillrule::scene::load_suite(FILLRULE_SOURCE_DIR "/cases", selectors);
   for (const fillrule::Error& error : suite.errors) return fail(error);
   const std::vector<std::string> names = hostile_names();
   for (size_t i = 0; hostile && i < suite.cases.size(); ++i) suite.cases[i].name = names[i % names.size()];

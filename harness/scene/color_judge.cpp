@@ -1,0 +1,178 @@
+#include "harness/scene/color_judge.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <memory>
+
+#include "harness/scene/color_bounds.h"
+#include "reference/exact/expectation.h"
+
+namespace fillrule::scene {
+namespace {
+
+// Which colours one party may have, piece by piece and sample by sample.
+class PartyBounds {
+ public:
+  PartyBounds(const Case& built, const programs::CaseShading& shading, uint32_t subpixel_bits,
+              const TransformError& error)
+      : case_(built), shading_(shading), error_(error), expectation_(built, subpixel_bits) {}
+
+  // The bounds that a colour of this owner is in, or else the first ones that it is not in; none where nothing can be
+  // said.
+  struct Answer {
+    bool judged = false;
+    bool inside = false;
+    ColorBounds bounds{};
+  };
+  Answer of(size_t sample, double x, double y, uint32_t owner, const std::array<float, 3>& color) {
+    entries_.clear();
+    expectation_.collect(sample, entries_);
+    Answer answer;
+    for (const exact::Entry& entry : entries_) {
+      const exact::Piece& piece = expectation_.pieces()[entry.piece];
+      if (piece.owner != owner) continue;
+      // Its values are undefined ground.
+      if (piece.shape->undefined() || piece.thin) return {};
+      const auto range = range_of(entry.piece, piece, x, y);
+      if (!range) return {};
+      const ColorBounds bounds = color_bounds(shading_[piece.draw], *range, {});
+      bool inside = true;
+      for (size_t c = 0; c < 3; ++c) {
+        // So that NaN is outside.
+        inside = inside && double{color[c]} >= bounds[c].low && double{color[c]} <= bounds[c].high;
+      }
+      if (!answer.judged || inside) answer = {.judged = true, .inside = inside, .bounds = bounds};
+      if (inside) break;
+    }
+    return answer;
+  }
+
+ private:
+  struct Value {
+    double value = 0;
+    double error = 0;
+  };
+
+  const exact::PieceValues& values(uint32_t number, const exact::Piece& piece) {
+    std::unique_ptr<exact::PieceValues>& values = values_[number];
+    if (!values) values = exact::values_of(case_, piece);
+    return *values;
+  }
+
+  static Value value_at(const exact::PieceValues& values, uint32_t component, double x, double y) {
+    // NaN is within no tolerance, so that all of it is worked out.
+    const float nothing = std::numeric_limits<float>::quiet_NaN();
+    return {values.varying_for(component, nothing, x, y).value, values.varying_tolerance(component, x, y).total()};
+  }
+
+  std::optional<SurfaceRange> range_of(uint32_t number, const exact::Piece& piece, double x, double y) {
+    const exact::PieceValues& exact_values = values(number, piece);
+    SurfaceRange range;
+    double worst = 0;
+    const auto read = [&](uint32_t component, double at_x, double at_y, double& value, double& error) {
+      const Value one = value_at(exact_values, component, at_x, at_y);
+      value = one.value;
+      error = one.error;
+      worst = std::max(worst, one.error);
+    };
+    for (uint32_t c = 0; c < 3; ++c) {
+      const auto i = static_cast<glm::length_t>(c);
+      read(programs::kPositionComponent + c, x, y, range.position_world[i], range.position_error[i]);
+      read(programs::kNormalComponent + c, x, y, range.normal_world[i], range.normal_error[i]);
+      range.position_error[i] += error_.position_world;
+      range.normal_error[i] += error_.normal_world;
+    }
+    const programs::DrawShading& shading = shading_[piece.draw];
+    for (uint32_t c = 0; c < 2; ++c) {
+      const auto i = static_cast<glm::length_t>(c);
+      read(programs::kUvComponent + c, x, y, range.uv[i], range.uv_error[i]);
+    }
+    if (shading.uniforms.mipmapped != 0) read_steps(read, x, y, range);
+    if (!std::isfinite(worst)) return std::nullopt;
+    return range;
+  }
+
+  // The differences in the quad of pixels that begins at even coordinates.
+  template <typename Read>
+  static void read_steps(const Read& read, double x, double y, SurfaceRange& range) {
+    for (uint32_t axis = 0; axis < 2; ++axis) {
+      const double along = axis == 0 ? x : y;
+      const bool is_first = std::fmod(std::floor(along), 2) == 0;
+      const double to_other = is_first ? 1 : -1;
+      for (uint32_t c = 0; c < 2; ++c) {
+        const auto i = static_cast<glm::length_t>(c);
+        double value = 0;
+        double error = 0;
+        read(programs::kUvComponent + c, axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other, value, error);
+        range.uv_step[axis][i] = (value - range.uv[i]) * to_other;
+        range.uv_step_error[axis][i] = error + range.uv_error[i];
+      }
+    }
+  }
+
+  const Case& case_;
+  const programs::CaseShading& shading_;
+  TransformError error_;
+  exact::Expectation expectation_;
+  std::vector<exact::Entry> entries_;
+  std::map<uint32_t, std::unique_ptr<exact::PieceValues>> values_;
+};
+
+std::array<float, 3> color_at(const Planes& planes, size_t index) {
+  return {planes.varyings[0][index], planes.varyings[1][index], planes.varyings[2][index]};
+}
+
+std::string in_words(const Planes& planes, size_t index, const std::array<float, 3>& color,
+                     const ColorBounds& bounds) {
+  const size_t pixel = index / planes.samples;
+  return fmt::format(
+      "({}, {}): colour {:.6f} {:.6f} {:.6f}, allowed {:.6f} to {:.6f}, {:.6f} to {:.6f}, {:.6f} to {:.6f}",
+      pixel % planes.width, pixel / planes.width, color[0], color[1], color[2], bounds[0].low, bounds[0].high,
+      bounds[1].low, bounds[1].high, bounds[2].low, bounds[2].high);
+}
+
+PartyColors judge_party(const Case& built, const programs::CaseShading& shading, const ColorParty& party,
+                        const TransformError& error) {
+  const Planes& planes = *party.planes;
+  PartyBounds bounds(built, shading, party.subpixel_bits, error);
+  PartyColors result;
+  for (size_t index = 0; index < planes.hits.size(); ++index) {
+    if (planes.hits[index] == 0) continue;
+    const size_t pixel = index / planes.samples;
+    const auto color = color_at(planes, index);
+    const auto answer = bounds.of(index, static_cast<double>(pixel % planes.width) + 0.5,
+                                  static_cast<double>(pixel / planes.width) + 0.5, planes.owner[index], color);
+    if (!answer.judged) continue;
+    ++result.judged;
+    if (answer.inside) continue;
+    if (result.outside++ == 0) result.first = in_words(planes, index, color, answer.bounds);
+  }
+  return result;
+}
+
+}  // namespace
+
+ColorVerdict judge_colors(const Case& built, const programs::CaseShading& shading, const ColorParty& candidate,
+                          const ColorParty* reference, const TransformError& error) {
+  ColorVerdict verdict{.candidate = judge_party(built, shading, candidate, error)};
+  if (reference == nullptr) return verdict;
+  verdict.reference = judge_party(built, shading, *reference, error);
+  const Planes& a = *candidate.planes;
+  const Planes& b = *reference->planes;
+  for (size_t index = 0; index < a.hits.size(); ++index) {
+    if (a.hits[index] == 0 || b.hits[index] == 0 || a.owner[index] != b.owner[index]) continue;
+    ++verdict.compared;
+    constexpr float kInvisible = 2.0F / 255;
+    const auto color_a = color_at(a, index);
+    const auto color_b = color_at(b, index);
+    bool alike = true;
+    for (size_t c = 0; c < 3; ++c) alike = alike && std::abs(color_a[c] - color_b[c]) <= kInvisible;
+    if (!alike) ++verdict.apart;
+  }
+  return verdict;
+}
+
+}  // namespace fillrule::scene

@@ -1,0 +1,96 @@
+// Scenes of each kind, drawn in colour by the renderer and by lavapipe, both judged; and faults that are found. The
+// whole suite's scenes are judged by conformance_test.
+#include <gmock/gmock.h>
+
+#include "harness/scene/check.h"
+#include "harness/scene/test_scenes.h"
+
+namespace fillrule::scene {
+namespace {
+
+using ::testing::HasSubstr;
+
+PaintingParty renderer_party() {
+  return {renderer_painter({})};
+}
+
+TEST(Scenes, AgreeWithLavapipe) {
+  Assets assets;
+  const PaintingParty reference{lavapipe()};
+  uint64_t compared = 0;
+  uint64_t apart = 0;
+  std::vector<Case> scenes;
+  for (const char* const name : {"textured_cube", "source_e_textured", "source_c_bresenham", "transformed_by_both"}) {
+    for (Case& one : suite_scenes(std::string("scenes/") + name, assets)) scenes.push_back(std::move(one));
+  }
+  for (const Case& built : scenes) {
+    const Result<SceneVerdict> verdict = judge_scene(built, assets, renderer_party(), &reference);
+    ASSERT_TRUE(verdict) << built.name << ": " << to_string(verdict.error());
+    EXPECT_EQ(verdict->colors.candidate.outside, 0U) << built.name << ' ' << verdict->colors.candidate.first;
+    EXPECT_EQ(verdict->colors.reference.outside, 0U) << built.name << ' ' << verdict->colors.reference.first;
+    EXPECT_TRUE(verdict->colors.alike()) << built.name << ": " << verdict->colors.apart;
+    EXPECT_GT(verdict->colors.candidate.judged, 0U) << built.name;
+    EXPECT_EQ(verdict->planes.candidate_faults(), 0U) << built.name;
+    EXPECT_EQ(verdict->planes.reference_faults(), 0U) << built.name;
+    compared += verdict->colors.compared;
+    apart += verdict->colors.apart;
+  }
+  EXPECT_GT(compared, 10000U);
+  EXPECT_LE(apart * 1000, compared);
+}
+
+// A party whose colours are changed.
+PaintingParty altered(void (*alter)(Planes&)) {
+  return {[alter](const Case& built, const programs::CaseShading& shading) {
+    Result<Planes> planes = renderer_painter({})(built, shading);
+    if (planes) alter(*planes);
+    return planes;
+  }};
+}
+
+judge::CheckResult check_cube(const PaintingParty& candidate, const PaintingParty* reference = nullptr) {
+  Assets assets;
+  const std::vector<Case> scenes = suite_scenes("scenes/textured_cube", assets);
+  return check_scene(scenes.at(0), assets, candidate, reference);
+}
+
+TEST(SceneCheck, PassesTheRenderer) {
+  const judge::CheckResult result = check_cube(renderer_party());
+  EXPECT_EQ(result.outcome, judge::CheckResult::Outcome::kPassed) << result.message;
+  EXPECT_EQ(result.name, "scene_colors");
+}
+
+TEST(SceneCheck, FindsAColourThatIsWrongAtOnePixel) {
+  const judge::CheckResult result =
+      check_cube(altered([](Planes& planes) { planes.varyings[1][64 * 128 + 64] += 0.02F; }));
+  EXPECT_EQ(result.outcome, judge::CheckResult::Outcome::kFailed);
+  EXPECT_THAT(result.message, ::testing::AllOf(HasSubstr("1 of "), HasSubstr("(64, 64): colour")));
+}
+
+TEST(SceneCheck, FindsACoverageThatIsWrong) {
+  const judge::CheckResult result = check_cube(altered([](Planes& planes) { planes.hits[64 * 128 + 64] = 0; }));
+  EXPECT_EQ(result.outcome, judge::CheckResult::Outcome::kFailed);
+  EXPECT_THAT(result.message, HasSubstr("coverage"));
+}
+
+TEST(SceneCheck, BlamesTheReferenceForItsOwnFault) {
+  const PaintingParty reference = altered([](Planes& planes) {
+    for (float& red : planes.varyings[0]) red *= 0.9F;
+  });
+  const judge::CheckResult result = check_cube(renderer_party(), &reference);
+  EXPECT_EQ(result.outcome, judge::CheckResult::Outcome::kPassed);
+  EXPECT_THAT(result.message, HasSubstr("reference fault"));
+}
+
+TEST(SceneCheck, RefusesToJudgeWhatItHasNoBoundFor) {
+  Assets assets;
+  const Case built = built_scene(parsed_scene("[scene]\ntransform_on = 'both'\ncamera = { eye = [0, 0, 1.0001] }\n"
+                                              "projection = { near = 1e-5 }\n[[scene.object]]\nmesh = 'cube'\n"),
+                                 assets);
+  const Result<SceneVerdict> verdict = judge_scene(built, assets, renderer_party(), nullptr);
+  ASSERT_FALSE(verdict);
+  EXPECT_THAT(verdict.error().what, HasSubstr("where the vertex stage transforms"));
+}
+
+}  // namespace
+}  // namespace fillrule::scene

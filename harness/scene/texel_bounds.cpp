@@ -1,0 +1,179 @@
+#include "harness/scene/texel_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <vector>
+
+namespace fillrule::scene {
+namespace {
+
+constexpr ColorBounds kNothing{Interval{1e30, -1e30}, Interval{1e30, -1e30}, Interval{1e30, -1e30}};
+
+void include_color(ColorBounds& bounds, const std::array<double, 3>& color) {
+  for (size_t c = 0; c < 3; ++c) {
+    bounds[c].low = std::min(bounds[c].low, color[c]);
+    bounds[c].high = std::max(bounds[c].high, color[c]);
+  }
+}
+
+void include(ColorBounds& bounds, const ColorBounds& other) {
+  for (size_t c = 0; c < 3; ++c) {
+    bounds[c].low = std::min(bounds[c].low, other[c].low);
+    bounds[c].high = std::max(bounds[c].high, other[c].high);
+  }
+}
+
+// "Wrapping Operation". -1 is the border.
+double wrapped(double i, double size, VkSamplerAddressMode mode) {
+  const auto rest = [](double value, double divisor) { return value - divisor * std::floor(value / divisor); };
+  switch (mode) {
+    case VK_SAMPLER_ADDRESS_MODE_REPEAT:
+      return rest(i, size);
+    case VK_SAMPLER_ADDRESS_MODE_MIRRORED_REPEAT:
+      return std::floor(std::abs(rest(i + 0.5 + size, 2 * size) - size));
+    case VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_BORDER:
+      return i < 0 || i >= size ? -1 : i;
+    default:
+      return std::clamp(i, 0.0, size - 1);
+  }
+}
+
+// One level, with coordinates in texels.
+class LevelBounds {
+ public:
+  LevelBounds(const TextureLevel& level, const Sampling2D& sampling, const SurfaceRange& range,
+              const SamplerPrecision& precision)
+      : level_(level), sampling_(sampling) {
+    const glm::dvec2 size(level.width, level.height);
+    const glm::dvec2 centre = range.uv * size;
+    const double weights = sampling.filter == VK_FILTER_LINEAR ? std::exp2(-double(precision.sub_texel_bits)) : 0;
+    const glm::dvec2 error = range.uv_error * size + 0x1p-23 * (glm::abs(centre) + size) + weights;
+    low_ = centre - error;
+    high_ = centre + error;
+  }
+
+  [[nodiscard]] ColorBounds bounds() const {
+    const std::vector<double> columns = stops(low_.x, high_.x);
+    const std::vector<double> rows = stops(low_.y, high_.y);
+    constexpr size_t kMany = 4096;
+    if (columns.size() * rows.size() > kMany) return whole_level();
+    ColorBounds bounds = kNothing;
+    for (const double y : rows) {
+      for (const double x : columns) {
+        include_color(bounds, sampling_.filter == VK_FILTER_NEAREST ? texel(x, y) : bilinear(x, y));
+      }
+    }
+    return bounds;
+  }
+
+ private:
+  // The texels, or the ends and the texel centres, between two coordinates.
+  [[nodiscard]] std::vector<double> stops(double low, double high) const {
+    constexpr double kMany = 4096;
+    const double between = high - low;
+    if (!(between < kMany)) return std::vector<double>(static_cast<size_t>(kMany) + 1);
+    std::vector<double> stops;
+    if (sampling_.filter == VK_FILTER_NEAREST) {
+      for (double i = std::floor(low); i <= std::floor(high); ++i) stops.push_back(i);
+      return stops;
+    }
+    stops = {low, high};
+    for (double i = std::floor(low) + 0.5; i < high; ++i) {
+      if (i > low) stops.push_back(i);
+    }
+    return stops;
+  }
+
+  [[nodiscard]] std::array<double, 3> texel(double x, double y) const {
+    const double column = wrapped(x, level_.width, sampling_.wrap_u);
+    const double row = wrapped(y, level_.height, sampling_.wrap_v);
+    if (column < 0 || row < 0) {
+      const double border = sampling_.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1 : 0;
+      return {border, border, border};
+    }
+    const Texel& found = level_.texels[static_cast<size_t>(row) * level_.width + static_cast<size_t>(column)];
+    return {found[0], found[1], found[2]};
+  }
+
+  [[nodiscard]] std::array<double, 3> bilinear(double x, double y) const {
+    const double left = std::floor(x - 0.5);
+    const double top = std::floor(y - 0.5);
+    const double a = x - 0.5 - left;
+    const double b = y - 0.5 - top;
+    std::array<double, 3> sum{};
+    for (int corner = 0; corner < 4; ++corner) {
+      const double weight = (corner % 2 == 0 ? 1 - a : a) * (corner / 2 == 0 ? 1 - b : b);
+      const auto color = texel(left + corner % 2, top + corner / 2);
+      for (size_t c = 0; c < 3; ++c) sum[c] += weight * color[c];
+    }
+    return sum;
+  }
+
+  [[nodiscard]] ColorBounds whole_level() const {
+    ColorBounds bounds = kNothing;
+    for (const Texel& one : level_.texels) include_color(bounds, {one[0], one[1], one[2]});
+    const double border = sampling_.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1 : 0;
+    include_color(bounds, {border, border, border});
+    return bounds;
+  }
+
+  const TextureLevel& level_;
+  const Sampling2D& sampling_;
+  glm::dvec2 low_{};
+  glm::dvec2 high_{};
+};
+
+// The level of detail, within those that there are.
+Interval level_of_detail(const Texture& texture, const SurfaceRange& range) {
+  const glm::dvec2 size(texture.levels[0].width, texture.levels[0].height);
+  Interval step;
+  for (size_t axis = 0; axis < 2; ++axis) {
+    const double length = glm::length(range.uv_step[axis] * size);
+    const double error = glm::length(range.uv_step_error[axis] * size) + 0x1p-20 * length;
+    step.low = std::max(step.low, length - error);
+    step.high = std::max(step.high, length + error);
+  }
+  const auto last = static_cast<double>(texture.levels.size() - 1);
+  const auto level = [&](double texels, double error) {
+    return texels > 0 ? std::clamp(std::log2(texels) + error, 0.0, last) : 0.0;
+  };
+  return {level(step.low, -0x1p-21), level(step.high, 0x1p-21)};
+}
+
+}  // namespace
+
+ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, const SamplerPrecision& precision) {
+  const Sampling2D& sampling = texture.sampling;
+  const auto of_level = [&](double level) {
+    return LevelBounds(texture.levels[static_cast<size_t>(level)], sampling, range, precision).bounds();
+  };
+  if (sampling.mipmaps == Mipmaps::kNone) return of_level(0);
+  const double last = static_cast<double>(texture.levels.size() - 1);
+  Interval lod = level_of_detail(texture, range);
+  const double error = std::exp2(-double(precision.mipmap_bits));
+  ColorBounds bounds = kNothing;
+  if (sampling.mipmaps == Mipmaps::kNearest) {
+    for (double level = std::max(std::ceil(lod.low + 0.5) - 1, 0.0);
+         level <= std::min(std::floor(lod.high + 0.5), last); ++level) {
+      include(bounds, of_level(level));
+    }
+    return bounds;
+  }
+  lod = {std::max(lod.low - error, 0.0), std::min(lod.high + error, last)};
+  std::vector<double> stops{lod.low, lod.high};
+  for (double level = std::ceil(lod.low); level < lod.high; ++level) stops.push_back(level);
+  for (const double stop : stops) {
+    const double fine = std::floor(stop);
+    const ColorBounds a = of_level(fine);
+    const ColorBounds b = of_level(std::min(fine + 1, last));
+    const double weight = stop - fine;
+    for (size_t c = 0; c < 3; ++c) {
+      bounds[c].low = std::min(bounds[c].low, a[c].low * (1 - weight) + b[c].low * weight);
+      bounds[c].high = std::max(bounds[c].high, a[c].high * (1 - weight) + b[c].high * weight);
+    }
+  }
+  return bounds;
+}
+
+}  // namespace fillrule::scene

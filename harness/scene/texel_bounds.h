@@ -1,0 +1,10 @@
+// The bounds of what a sampler gives: color_bounds.h says how they come about.
+#pragma once
+
+#include "harness/scene/color_bounds.h"
+
+namespace fillrule::scene {
+
+ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, const SamplerPrecision& precision);
+
+}  // namespace fillrule::scene
