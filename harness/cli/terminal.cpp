@@ -66,7 +66,7 @@ void ProgressLine::advance() {
   // not every terminal knows a command for that.
   width_ = (columns == 0 ? kUsualColumns : columns) - 1;
   fmt::print(stderr, "\r{:<{}}", terminal::progress_text(done_, total_, seconds, width_), width_);
-  std::fflush(stderr);
+  static_cast<void>(std::fflush(stderr));  // a terminal that is gone shows no progress
 }
 
 }  // namespace fillrule::cli
