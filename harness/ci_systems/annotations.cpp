@@ -23,7 +23,7 @@ constexpr size_t kMostRows = 100;
 constexpr size_t kLongestCell = 400;  // columns; a summary may take 1 MiB
 
 std::string why(const CaseResult& result) {
-  const std::string faults = terminal::fault_text(result);
+  std::string faults = terminal::fault_text(result);
   if (result.reason.empty()) return faults;
   return report::printable(result.reason) + (faults.empty() ? "" : " " + faults);
 }
@@ -91,7 +91,7 @@ Place place_of(const CaseResult& result, const std::string& project_folder) {
   std::ifstream file(result.file);
   std::string text;
   for (uint32_t line = 1; std::getline(file, text); ++line) {
-    if (!std::string_view(text).starts_with(wanted)) continue;
+    if (!text.starts_with(wanted)) continue;
     place.line = line;
     break;
   }

@@ -48,9 +48,9 @@ Result<size_t> copy_pictures(const MergeOptions& options, const std::vector<run:
     for (const run::CaseResult& one : parts[i].result.cases) {
       const std::string stem = "/" + report::file_stem(one.name);
       bool copied = false;
-      for (const std::string ending : kEndings) {
-        const std::string from = options.folders[i] + stem + ending;
-        const std::string to = options.output.report_folder + stem + ending;
+      for (const char* const ending : kEndings) {
+        const std::string from = fmt::format("{}{}{}", options.folders[i], stem, ending);
+        const std::string to = fmt::format("{}{}{}", options.output.report_folder, stem, ending);
         std::error_code error;
         if (!std::filesystem::exists(from, error)) continue;
         std::filesystem::copy_file(from, to, std::filesystem::copy_options::overwrite_existing, error);

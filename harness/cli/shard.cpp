@@ -30,7 +30,7 @@ Result<run::Shard> shard_of_environment() {
   const auto number = whole_number(index);
   const auto count = whole_number(total);
   if (!number || !count || *number >= *count) {
-    return failure(fmt::format("GTEST_SHARD_INDEX is \"{}\" and GTEST_TOTAL_SHARDS \"{}\"", index, total),
+    return failure(fmt::format(R"(GTEST_SHARD_INDEX is "{}" and GTEST_TOTAL_SHARDS "{}")", index, total),
                    "both are whole numbers, the index from 0 to one less than the total; or unset both");
   }
   return run::Shard{.index = *number, .total = *count};

@@ -52,7 +52,7 @@ terminal::Style stdout_style(const terminal::Wishes& wishes) {
 ProgressLine::ProgressLine(size_t total, bool wanted) : total_(total), shown_(wanted && isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
-  if (drawn_) fmt::print(stderr, "\r\x1b[K");
+  if (width_ > 0) fmt::print(stderr, "\r{:{}}\r", "", width_);
 }
 
 void ProgressLine::advance() {
@@ -62,11 +62,11 @@ void ProgressLine::advance() {
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
   if (!clock_.is_due(seconds)) return;
   const size_t columns = columns_of(STDERR_FILENO);
-  // The last column stays free: some terminals begin a new line there.
-  fmt::print(stderr, "\r{}\x1b[K",
-             terminal::progress_text(done_, total_, seconds, (columns == 0 ? kUsualColumns : columns) - 1));
-  std::fflush(stderr);
-  drawn_ = true;
+  // The last column stays free: some terminals begin a new line there. Blanks take away what an older line leaves, as
+  // not every terminal knows a command for that.
+  width_ = (columns == 0 ? kUsualColumns : columns) - 1;
+  fmt::print(stderr, "\r{:<{}}", terminal::progress_text(done_, total_, seconds, width_), width_);
+  static_cast<void>(std::fflush(stderr));  // a terminal that is gone shows no progress
 }
 
 }  // namespace fillrule::cli

@@ -31,8 +31,8 @@ class ProgressLine {
 
  private:
   size_t total_;
-  bool shown_;  // if there is a terminal
-  bool drawn_ = false;
+  bool shown_;        // if there is a terminal
+  size_t width_ = 0;  // of the line, once it is there
   std::mutex mutex_;
   size_t done_ = 0;
   terminal::ProgressClock clock_;

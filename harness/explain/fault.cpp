@@ -122,7 +122,9 @@ std::string wrong_value(const PartyFacts& party, const PlaneFacts& plane) {
     }
   }
   if (worst == nullptr) return fmt::format("The {}'s {} is wrong", party.role, plane.name);
-  std::string text = fmt::format("The {}'s {} is {:.9g}", party.role, worst->name, worst->value);
+  // The sign of a NaN says nothing.
+  const float value = std::isnan(worst->value) ? std::abs(worst->value) : worst->value;
+  std::string text = fmt::format("The {}'s {} is {:.9g}", party.role, worst->name, value);
   const judge::Standing& standing = worst->standing;
   if (std::isnan(standing.expected)) return text + ", which no finite input can give";
   if (standing.tolerance == 0) return fmt::format("{} instead of exactly {:.9g}", text, standing.expected);
