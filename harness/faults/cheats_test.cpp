@@ -20,17 +20,17 @@ namespace {
 
 constexpr uint32_t kSubpixelBits = 8;
 
-// A vertex with w = 0 is infinitely far away in the window, and so far may the values of its triangles be off.
-bool reaches_infinity(const Draw& draw) {
+// A vertex with w = 0 is infinitely far away in the window, and so far may the values of its triangles be off: the
+// oracle calls them "not judged". Coverage, hits and owners are as certain as ever.
+bool has_open_values(const Draw& draw) {
   return std::ranges::any_of(draw.positions, [](const ClipPosition& position) { return position[3] == 0; });
 }
 
 bool is_certain(const Case& one, const exact::Expectation& expectation, const exact::Entry& entry) {
   const exact::Piece& piece = expectation.pieces()[entry.piece];
   const RasterState& state = one.draws[piece.draw].state;
-  return !reaches_infinity(one.draws[piece.draw]) && entry.coverage == exact::Coverage::kMust &&
-         !piece.facing_in_doubt && !piece.thin && !piece.open && !piece.of_polygon && !state.depth_test &&
-         !state.depth_bounds;
+  return entry.coverage == exact::Coverage::kMust && !piece.facing_in_doubt && !piece.thin && !piece.open &&
+         !piece.of_polygon && !state.depth_test && !state.depth_bounds;
 }
 
 // Whether the two values are so far apart that no latitude is: a flat one by a bit, any other by a tenth of the
@@ -54,11 +54,12 @@ std::vector<bool> flat_planes(const Case& one) {
   return flat;
 }
 
-bool differs_at(const Planes& right, const Planes& cheat, const std::vector<bool>& flat, bool covered, size_t index) {
+bool differs_at(const Planes& right, const Planes& cheat, const std::vector<bool>& flat, bool has_values,
+                size_t index) {
   if (right.hits[index] != cheat.hits[index] || right.owner[index] != cheat.owner[index]) return true;
   // Where nothing may be drawn, or nothing is tested, depth is what it was cleared to.
   if (!right.depth.empty() && right.depth[index] != cheat.depth[index]) return true;
-  for (size_t i = 0; covered && i < right.varyings.size(); ++i) {
+  for (size_t i = 0; has_values && i < right.varyings.size(); ++i) {
     if (far_apart(right.varyings[i], flat[i], right.varyings[i][index], cheat.varyings[i][index])) return true;
   }
   return false;
@@ -71,7 +72,10 @@ bool is_wrong(const Case& one, const exact::Expectation& expectation, const Plan
     expectation.collect(index, entries);
     const bool certain =
         std::ranges::all_of(entries, [&](const exact::Entry& entry) { return is_certain(one, expectation, entry); });
-    if (certain && differs_at(right, cheat, flat, !entries.empty(), index)) return true;
+    const bool has_values = !entries.empty() && std::ranges::none_of(entries, [&](const exact::Entry& entry) {
+      return has_open_values(one.draws[expectation.pieces()[entry.piece].draw]);
+    });
+    if (certain && differs_at(right, cheat, flat, has_values, index)) return true;
   }
   return false;
 }

@@ -160,6 +160,7 @@ ColorVerdict judge_colors(const Case& built, const programs::CaseShading& shadin
   ColorVerdict verdict{.candidate = judge_party(built, shading, candidate, error)};
   if (reference == nullptr) return verdict;
   verdict.reference = judge_party(built, shading, *reference, error);
+  if (candidate.subpixel_bits != reference->subpixel_bits) return verdict;
   const Planes& a = *candidate.planes;
   const Planes& b = *reference->planes;
   for (size_t index = 0; index < a.hits.size(); ++index) {

@@ -26,6 +26,8 @@ struct ColorVerdict {
   PartyColors candidate;
   PartyColors reference;
   // Samples that both parties drew of the same primitive, and those among them that differ by more than 2/255.
+  // Nothing is compared of parties with different subpixel bits: they draw other window positions, so that their
+  // colours differ by what lies between, and neither is wrong. Each is held against the oracle all the same.
   uint64_t compared = 0;
   uint64_t apart = 0;
 

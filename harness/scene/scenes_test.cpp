@@ -82,6 +82,32 @@ TEST(SceneCheck, BlamesTheReferenceForItsOwnFault) {
   EXPECT_THAT(result.message, HasSubstr("reference fault"));
 }
 
+// Draws every vertex 1/40 pixel further down: as a driver of 4 subpixel bits may, which rounds by up to 1/32. Down,
+// since that is where a floor's texture coordinates change most.
+Result<Planes> drawn_further_down(const Case& built, const programs::CaseShading& shading) {
+  Case moved = built;
+  for (Draw& draw : moved.draws) {
+    const float ndc = 2 / draw.state.viewport.height / 40;
+    for (ClipPosition& position : draw.positions) position[1] += ndc * position[3];
+  }
+  return renderer_painter({})(moved, shading);
+}
+
+TEST(SceneCheck, DoesNotHoldACandidateToAReferenceOfOtherSubpixelBits) {
+  Assets assets;
+  const Case built = suite_scenes("scenes/mipmaps[mipmaps=none,filter=bilinear]", assets).at(0);
+  const PaintingParty coarse{drawn_further_down, 4};
+  const judge::CheckResult result = check_scene(built, assets, renderer_party(), &coarse);
+  EXPECT_EQ(result.outcome, judge::CheckResult::Outcome::kPassed) << result.message;
+  EXPECT_EQ(result.message, "") << "nor is the reference at fault";
+  // Who claims 8 bits may not draw so.
+  const PaintingParty fine{drawn_further_down, 8};
+  const Result<SceneVerdict> claimed = judge_scene(built, assets, renderer_party(), &fine);
+  ASSERT_TRUE(claimed) << to_string(claimed.error());
+  EXPECT_FALSE(claimed->colors.alike());
+  EXPECT_GT(claimed->colors.reference.outside, 0U);
+}
+
 TEST(SceneCheck, RefusesToJudgeWhatItHasNoBoundFor) {
   Assets assets;
   const Case built = built_scene(parsed_scene("[scene]\ntransform_on = 'both'\ncamera = { eye = [0, 0, 1.0001] }\n"
