@@ -242,9 +242,12 @@ class App {
     drawWorst(this, byId("worst"));
   }
 
+  // Browsers limit how often the address may change. A write that waits is not put off by further frames: while pictures
+  // blink on a slow machine there is always another one.
   writeLink() {
-    clearTimeout(this.linkTimer);
+    if (this.linkTimer) return;
     this.linkTimer = setTimeout(() => {
+      this.linkTimer = 0;
       this.written = linkText({ ...this.state, name: this.data.name, samples: this.data.samples, zoom: this.view.zoom });
       history.replaceState(null, "", this.written);
     }, 100);

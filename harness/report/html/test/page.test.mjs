@@ -74,6 +74,21 @@ test("every key of the help does what it says, and each button has a key", async
   assert.deepEqual(page.errors, []);
 });
 
+test("the link is written while pictures blink, on a slow machine too", async () => {
+  const page = await openReport(browser, shifted);
+  await press(page, "2");
+  // Frames without end, as blinking gives where each takes longer than the link's timer.
+  await page.evaluate(() => {
+    const again = () => {
+      document.querySelector('button[data-key="3"]').click();
+      setTimeout(again, 20);
+    };
+    again();
+  });
+  await page.waitForTimeout(1000);
+  assert.equal((await linkOf(page)).view, "blink");
+});
+
 test("view, plane and zoom stay from case to case", async () => {
   const page = await openReport(browser, shifted);
   await press(page, "6");

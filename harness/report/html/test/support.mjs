@@ -64,9 +64,11 @@ export async function press(page, key) {
 }
 
 // What the address says, once it does: {case, plane, px, zoom, view}.
+// The page writes its address 100 ms after a frame at the latest; a timer of the page's own that starts behind that frame
+// and is longer runs out later, however slow the machine is.
 export async function linkOf(page) {
-  await page.waitForTimeout(150);
-  const hash = new URL(page.url()).hash.slice(1);
+  await settled(page);
+  const hash = await page.evaluate(() => new Promise((done) => setTimeout(() => done(location.hash.slice(1)), 110)));
   return Object.fromEntries(hash.split("&").map((part) => /^(.*?)=(.*)$/.exec(part).slice(1).map(decodeURIComponent)));
 }
 
