@@ -156,6 +156,11 @@ void set_up_samples(PreparedDraw& prepared) {
                              std::max(setup.greatest_sample.y_fixed, sample.y_fixed)};
     setup.clip_pixels = hull(setup.clip_pixels, pixels);
   }
+  for (uint32_t i = 0; i < input.samples * kBlockSize; ++i) {
+    const WindowOffset from_centre = prepared.sample_locations[i % input.samples].from_centre();
+    prepared.sample_offsets_x[i] = i / input.samples + from_centre.x;
+    prepared.sample_offsets_y[i] = from_centre.y;
+  }
 }
 
 }  // namespace

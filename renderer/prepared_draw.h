@@ -63,6 +63,9 @@ struct PreparedDraw {
   SetupState setup;
   std::span<const SampleLocation> sample_locations;
   std::array<SampleArea, kMaxSamples> sample_areas;  // the first input.samples of them
+  // Of the samples of eight pixels side by side, as they lie in the attachments: pixels from the first one's centre.
+  std::array<double, size_t{kMaxSamples} * kBlockSize> sample_offsets_x;
+  std::array<double, size_t{kMaxSamples} * kBlockSize> sample_offsets_y;
 
   [[nodiscard]] WindowVertex window_vertex(uint32_t vertex, const ClipPosition& pos_clip) const {
     WindowVertex window_vertex = setup.transform.window_vertex(pos_clip);

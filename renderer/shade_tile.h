@@ -5,13 +5,15 @@
 // program wants its fragments one by one, pixels are.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
-#include <type_traits>
+#include <utility>
 #include <vector>
 
+#include "renderer/row_emitter.h"
 #include "renderer/shading.h"
 
 namespace fillrule::renderer::internal {
@@ -34,7 +36,20 @@ struct Shader {
     }
   }
 
-  void shade(const SampledBlock& block) const {
+  [[gnu::always_inline]] void shade(const SampledBlock& block) const {
+    constexpr uint32_t kUsualSamples = 4;
+    if constexpr (ColorProgram<P> && L::kWidth >= kUsualSamples) {
+      const bool is_within = static_cast<uint32_t>(block.x + kBlockSize) <= draw.input.target_width;
+      if (draw.input.samples == kUsualSamples && !draw.input.sample_shading && is_within) {
+        shade_sampled_rows<kUsualSamples>(block);
+        return;
+      }
+    }
+    shade_pixels(block);
+  }
+
+ private:
+  void shade_pixels(const SampledBlock& block) const {
     for (uint64_t mask = block.any; mask != 0; mask &= mask - 1) {
       const int32_t bit = std::countr_zero(mask);
       shade_pixel(block.x + bit % kBlockSize, block.y + bit / kBlockSize,
@@ -42,7 +57,6 @@ struct Shader {
     }
   }
 
- private:
   // A pixel's first value in the attachments.
   [[nodiscard]] size_t index_of(int32_t x, int32_t y) const {
     return (static_cast<size_t>(y) * draw.input.target_width + static_cast<size_t>(x)) * draw.input.samples;
@@ -60,7 +74,7 @@ struct Shader {
       const int32_t x = block.x + column;
       const auto xs = Lanes::to_double(Lanes::numbers() + (x - interpolation.anchor_x));
       const auto depth_column = Lanes::all(depth.at_anchor) + Lanes::all(depth.step_x) * xs;
-      const RowEmitter<Lanes> emitter(*this, x, first + static_cast<size_t>(column));
+      const RowEmitter<Lanes, P> emitter(*this, x, first + static_cast<size_t>(column));
       for (int32_t row = 0; row < kBlockSize; ++row) {
         constexpr uint32_t kAllLanes = (1U << Lanes::kWidth) - 1;
         const auto bits = static_cast<uint32_t>(block.mask >> (row * kBlockSize + column)) & kAllLanes;
@@ -84,54 +98,71 @@ struct Shader {
     }
   }
 
-  // What becomes of the fragments of one sample a pixel in a column of rows of lanes, from x to the right. It holds
-  // copies: stores to the attachments cannot change those, so that what all rows share is computed once.
-  template <typename Lanes>
-  struct RowEmitter {
-    [[gnu::always_inline]] RowEmitter(const Shader& shader, int32_t the_x, size_t first)
-        : program(shader.program),
-          data(shader.data),
-          interpolation(shader.interpolation),
-          reciprocal_w(shader.reciprocal_w),
-          x(the_x),
-          anchor_y(shader.primitive.anchor_y),
-          x_from_anchor(Lanes::to_float(Lanes::numbers() + (the_x - shader.primitive.anchor_x))),
-          color(shader.draw.input.color.values.data() + first) {}
-
-    // Those in the mask, so many values after the first row.
-    [[gnu::always_inline]] void emit(size_t offset, int32_t y, const typename Lanes::Mask& mask) const {
-      if constexpr (ColorProgram<P>) {
-        const typename Lanes::Int packed =
-            packed_color<Lanes>(program, data, reciprocal_w, x_from_anchor, static_cast<float>(y - anchor_y));
-        Lanes::store(mask ? packed : Lanes::load(color + offset), color + offset);
-      } else {
-        for (uint32_t bits = Lanes::bits_of(mask); bits != 0; bits &= bits - 1) {
-          program.fragment(data, {.x = x + std::countr_zero(bits), .y = y, .interpolation = interpolation});
+  // The samples of as many pixels as there are lanes lie in kSamples vectors side by side.
+  template <uint32_t kSamples>
+  [[gnu::always_inline]] void shade_sampled_rows(const SampledBlock& block) const {
+    constexpr uint32_t kAllLanes = (1U << L::kWidth) - 1;
+    const WindowPlane depth = interpolation.depth_framebuffer;
+    const DepthStage stage = draw.depth;
+    const bool tests = stage.tests();
+    const size_t first = index_of(block.x, block.y);
+    const size_t row_stride = size_t{draw.input.target_width} * kSamples;
+    for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
+      const int32_t x = block.x + column;
+      std::array<typename L::Double, kSamples> depth_columns;
+      for (uint32_t part = 0; part < kSamples; ++part) {
+        const auto xs = L::all(static_cast<double>(x - interpolation.anchor_x)) +
+                        L::load(draw.sample_offsets_x.data() + size_t{part} * L::kWidth);
+        depth_columns[part] = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
+      }
+      const size_t offset = first + static_cast<size_t>(column) * kSamples;
+      const RowEmitter<L, P> emitter(*this, x, offset);
+      for (int32_t row = 0; row < kBlockSize; ++row) {
+        uint32_t bits = 0;  // a byte for each sample
+        for (uint32_t sample = 0; sample < kSamples; ++sample) {
+          if ((draw.input.state.sample_mask >> sample & 1U) != 0) {
+            bits |= (static_cast<uint32_t>(block.masks[sample] >> (row * kBlockSize + column)) & kAllLanes)
+                    << (8 * sample);
+          }
+        }
+        if (bits == 0) {
+          continue;
+        }
+        const int32_t y = block.y + row;
+        const size_t row_offset = static_cast<size_t>(row) * row_stride;
+        float* const stored_depths = draw.input.depth.values.data() + offset + row_offset;
+        const auto ys =
+            L::all(static_cast<double>(y - interpolation.anchor_y)) + L::load(draw.sample_offsets_y.data());
+        const auto depth_row = L::all(depth.step_y) * ys;
+        std::array<typename L::Mask, kSamples> masks;
+        typename L::Mask any = L::mask_of(0);
+        [&]<uint32_t... kPart>(std::integer_sequence<uint32_t, kPart...>) __attribute__((always_inline)) {
+          ((masks[kPart] = sampled_mask<kSamples, kPart>(bits)), ...);
+        }
+        (std::make_integer_sequence<uint32_t, kSamples>());
+        for (uint32_t part = 0; part < kSamples; ++part) {
+          if (tests) {
+            float* const stored_depth = stored_depths + size_t{part} * L::kWidth;
+            typename L::Float stored = L::load(stored_depth);
+            masks[part] = stage.template lands<L>(depth_columns[part] + depth_row, masks[part], stored);
+            L::store(stored, stored_depth);
+          }
+          any = any | masks[part];
+        }
+        if (L::any(any)) {
+          emitter.template emit_samples<kSamples>(row_offset, y, masks);
         }
       }
     }
+  }
 
-    const P& program;
-    std::conditional_t<ColorProgram<P>, const typename P::PrimitiveData, const typename P::PrimitiveData&> data;
-    const PrimitiveInterpolation& interpolation;
-    VaryingPlane reciprocal_w;
-    int32_t x;
-    int32_t anchor_y;
-    typename Lanes::Float x_from_anchor;
-    uint32_t* color;
-  };
-
-  template <typename Lanes>
-  [[gnu::always_inline]] static typename Lanes::Int packed_color(const P& program,
-                                                                 const typename P::PrimitiveData& data,
-                                                                 const VaryingPlane& reciprocal_w,
-                                                                 const typename Lanes::Float& x_from_anchor,
-                                                                 float y_from_anchor) {
-    FragmentLanes<Lanes> fragments;
-    fragments.x = x_from_anchor;
-    fragments.y = Lanes::all(y_from_anchor);
-    fragments.w = Lanes::all(1.0F) / reciprocal_w.template at<Lanes>(fragments.x, fragments.y);
-    return packed_unorm8<Lanes>(program.template color<Lanes>(data, fragments));
+  // Of vector kPart the lanes whose bits are set: bit i of byte s is sample s of pixel i.
+  template <uint32_t kSamples, uint32_t kPart>
+  [[gnu::always_inline]] static typename L::Mask sampled_mask(uint32_t bits) {
+    const typename L::Int lane = L::numbers() + static_cast<int32_t>(kPart * L::kWidth);
+    const typename L::Int own =
+        1 << (lane % static_cast<int32_t>(kSamples) * 8 + lane / static_cast<int32_t>(kSamples));
+    return ((own & static_cast<int32_t>(bits)) == own);
   }
 
   [[nodiscard]] WindowOffset location(uint32_t sample) const { return draw.sample_locations[sample].from_centre(); }
@@ -202,6 +233,26 @@ inline void set_anchor(const PixelRect& tile_pixels, ShadedPrimitive& primitive)
   primitive.anchor_y = std::clamp(primitive.interpolation->anchor_y, tile_pixels.top, tile_pixels.bottom - 1);
 }
 
+// Asks for what the next primitives will need: those of a tile are far apart in memory.
+template <Program P>
+[[gnu::always_inline]] inline void prefetch(const PreparedDraw& draw, const P& program,
+                                            const std::vector<ClipPosition>& positions_clip,
+                                            const TileEntries& entries) {
+  constexpr size_t kFar = 8;
+  constexpr size_t kNear = 4;  // has arrived since it was far
+  if (const SetupPrimitive* const far = entries.ahead(kFar)) {
+    __builtin_prefetch(far);
+  }
+  if (const SetupPrimitive* const near = entries.ahead(kNear)) {
+    for (const uint32_t vertex : draw.assembly.vertices(near->primitive)) {
+      __builtin_prefetch(&positions_clip[vertex]);
+      if constexpr (requires { program.prefetch(vertex); }) {
+        program.prefetch(vertex);
+      }
+    }
+  }
+}
+
 // Coverage is TileCoverage for draws of one sample a pixel, which are much the faster for it, and else
 // SampledTileCoverage.
 template <typename L, typename Coverage, Program P>
@@ -213,6 +264,7 @@ template <typename L, typename Coverage, Program P>
   for (const PrimitiveChunk& chunk : chunks) {
     TileEntries entries = chunk.entries(tile);
     while (const SetupPrimitive* const primitive = entries.next()) {
+      prefetch(draw, program, positions_clip, entries);
       const PixelRect rect = intersection(primitive->bounds(), tile_pixels);
       if (rect.empty()) {
         continue;

@@ -83,6 +83,7 @@ concept ColorProgram = PrimitiveProgram<P> &&
   { program.template color<ScalarLanes>(data, fragments) } -> std::same_as<Color<ScalarLanes>>;
 };
 
+// Either may also have `void prefetch(uint32_t vertex) const`, which asks for what primitive_data() will read of it.
 template <typename P>
 concept Program = FragmentProgram<P> || ColorProgram<P>;
 

@@ -36,6 +36,11 @@ class TileEntries {
               std::span<const uint32_t> large)
       : primitives_(primitives.data()), binned_(binned), large_(large) {}
 
+  // The one that many after the next, as far as bins tell; null if they do not.
+  [[nodiscard]] const SetupPrimitive* ahead(size_t count) const {
+    return count < binned_.size() ? primitives_ + binned_[count] : nullptr;
+  }
+
   // Null after the last.
   const SetupPrimitive* next() {
     if (binned_.empty() && large_.empty()) {

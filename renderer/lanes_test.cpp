@@ -1,0 +1,97 @@
+#include "renderer/lanes.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "renderer/coverage.h"
+#include "renderer/isa.h"
+
+namespace fillrule::renderer {
+namespace {
+
+TEST(Isa, HasANameAndTheBestIsThere) {
+  for (const Isa isa : kAllIsas) EXPECT_EQ(isa_named(to_string(isa)), isa);
+  EXPECT_FALSE(isa_named("mmx"));
+  EXPECT_TRUE(is_supported(Isa::kScalar));
+  EXPECT_TRUE(is_supported(best_isa()));
+}
+
+constexpr uint32_t kCount = 8;
+
+// What each operation makes of eight numbers.
+struct Outcome {
+  std::array<float, kCount> narrowed{};
+  std::array<float, kCount> chosen{};
+  std::array<int32_t, kCount> bits{};
+  uint32_t below = 0;
+  uint64_t bytes = 0;
+  bool operator==(const Outcome&) const = default;
+};
+
+Outcome outcome(Isa isa, const std::array<float, kCount>& values) {
+  Outcome result;
+  dispatch(
+      isa, [&]<typename L>() __attribute__((always_inline)) {
+        for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+          const typename L::Float value = L::load(values.data() + i);
+          const typename L::Double wide = L::to_double(value) / L::all(3.0) - L::all(0.1);
+          L::store(L::to_float(wide), result.narrowed.data() + i);
+          const typename L::Mask below = value < L::all(1.5F);
+          const typename L::Mask odd = L::mask_of(0xAAU >> i);
+          L::store(odd ? value : L::all(-1.0F), result.chosen.data() + i);
+          L::store(L::bits_of(value), result.bits.data() + i);
+          result.below |= L::bits_of(below) << i;
+          result.bytes |= L::low_bytes(L::numbers() + static_cast<int32_t>(i)) << (8 * i);
+          EXPECT_EQ(L::any(below), L::bits_of(below) != 0);
+          EXPECT_EQ(L::bits_of(L::negated(below)), L::bits_of(below) ^ ((1U << L::kWidth) - 1));
+        }
+      });
+  return result;
+}
+
+TEST(Lanes, GiveTheBytesOfOneAtATime) {
+  const std::array<float, kCount> values{-0.0F, 0.1F, 1.5F, -7, 1e-40F, 3e38F, 1.4999999F, 2};
+  const Outcome expected = outcome(Isa::kScalar, values);
+  EXPECT_EQ(expected.below, 0b01011011U);
+  EXPECT_EQ(expected.bytes, 0x0706050403020100U);
+  EXPECT_EQ(expected.chosen, (std::array<float, kCount>{-1, 0.1F, -1, -7, -1, 3e38F, -1, 2}));
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    EXPECT_EQ(outcome(isa, values), expected) << to_string(isa);
+  }
+}
+
+TEST(Lanes, RepeatEachOfThem) {
+  if (!is_supported(Isa::kAvx2)) GTEST_SKIP();
+  std::array<int32_t, 16> result{};
+  dispatch(
+      Isa::kAvx2, [&]<typename L>() __attribute__((always_inline)) {
+        if constexpr (L::kWidth == kCount) {
+          L::store(L::template repeated<2, 0>(L::numbers()), result.data());
+          L::store(L::template repeated<2, 1>(L::numbers()), result.data() + L::kWidth);
+        }
+      });
+  EXPECT_EQ(result, (std::array<int32_t, 16>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7}));
+}
+
+TEST(Coverage, IsTheSameWithAnyInstructionSet) {
+  // Gentle edges, and steep ones beyond int32.
+  for (const int32_t reach : {100 * 256, 1 << 29}) {
+    const std::array<FixedPosition, 3> outline{{{5 * 256 + 77, 3 * 256}, {-reach, reach}, {reach, 60 * 256 + 13}}};
+    const PixelRect rect{1, 2, 61, 63};
+    TileCoverage expected;
+    cover(outline, pixel_centre_fixed(8), 8, rect, expected, Isa::kScalar);
+    EXPECT_GT(expected.count, 0U);
+    for (const Isa isa : kAllIsas) {
+      if (!is_supported(isa)) continue;
+      TileCoverage coverage;
+      cover(outline, pixel_centre_fixed(8), 8, rect, coverage, isa);
+      ASSERT_EQ(coverage.count, expected.count) << to_string(isa);
+      for (uint32_t i = 0; i < coverage.count; ++i) EXPECT_EQ(coverage.blocks[i].mask, expected.blocks[i].mask);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fillrule::renderer
