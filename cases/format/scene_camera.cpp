@@ -148,7 +148,7 @@ Camera read_camera(const toml::node& node, Values& values) {
   }
   for (const char* const key : {"eye", "target", "up"}) {
     if (const toml::node* const other = table->get(key)) {
-      values.diagnostics().add(place_of(*other), fmt::format("\"{}\" beside \"transform\"", key),
+      values.diagnostics().add(place_of(*other), fmt::format(R"("{}" beside "transform")", key),
                                "a camera stands where its transform puts it, or looks from eye to target");
     }
   }

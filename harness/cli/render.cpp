@@ -101,7 +101,7 @@ Result<void> check_output(const RenderOptions& options) {
 }
 
 Result<void> render(const RenderOptions& options, const scene::Painter& paint) {
-  if (const auto writable = check_output(options); !writable) return writable;
+  if (auto writable = check_output(options); !writable) return writable;
   scene::Assets assets;
   Result<Case> found = find_scene(options.suite, assets);
   if (!found) return tl::unexpected(found.error());
@@ -114,7 +114,7 @@ Result<void> render(const RenderOptions& options, const scene::Painter& paint) {
   for (uint32_t frame = 0; frame < frames; ++frame) {
     const std::string path = frame_path(options, frame);
     const Case view = options.turntable == 0 ? *found : scene::turned(*found, 360.0 * frame / frames);
-    if (const auto done = render_frame(view, paint, assets, path); !done) return done;
+    if (auto done = render_frame(view, paint, assets, path); !done) return done;
     fmt::print("{}\n", path);
   }
   return {};

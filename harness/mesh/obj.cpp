@@ -29,7 +29,7 @@ struct Corner {
 
 struct CornerHash {
   size_t operator()(const Corner& corner) const {
-    size_t hash = static_cast<size_t>(corner.position);
+    auto hash = static_cast<size_t>(corner.position);
     for (const size_t part :
          {static_cast<size_t>(corner.uv), static_cast<size_t>(corner.source), size_t{corner.normal}}) {
       hash = hash * 0x9E3779B97F4A7C15U + part;

@@ -89,14 +89,14 @@ class Checker {
       return wrong(words[0], fmt::format("a face of {} vertices", corners), fmt::format("3 to {}", kMaxCorners));
     }
     for (size_t i = 1; i < words.size(); ++i) {
-      if (const auto good = check_corner(words[i]); !good) return good;
+      if (auto good = check_corner(words[i]); !good) return good;
     }
     has_faces_ = true;
     return {};
   }
 
   // v, v/vt, v//vn or v/vt/vn; each counts from 1, or back from the last one if it is negative.
-  Result<void> check_corner(std::string_view corner) const {
+  [[nodiscard]] Result<void> check_corner(std::string_view corner) const {
     const std::array counts{positions_, uvs_, normals_};
     constexpr std::array<std::string_view, 3> kNames{"v", "vt", "vn"};
     std::string_view rest = corner;
@@ -112,7 +112,7 @@ class Checker {
         }
         const int64_t number = *index < 0 ? counts[i] + 1 + *index : *index;
         if (number < 1 || number > counts[i]) {
-          return wrong(corner, fmt::format("{} in \"{}\" names no \"{}\"", *index, corner, kNames[i]),
+          return wrong(corner, fmt::format(R"({} in "{}" names no "{}")", *index, corner, kNames[i]),
                        fmt::format("there are {} so far", counts[i]));
         }
       }

@@ -140,15 +140,15 @@ ShadedProgram::PrimitiveData ShadedProgram::primitive_data(const renderer::Shade
 
 glm::vec2 ShadedProgram::uv_with(const PrimitiveData& data, const renderer::PixelWeights& weights) const {
   const renderer::VertexWeights& chosen = affine_texture_ ? weights.noperspective : weights.smooth;
-  const auto& [v0, v1, v2] = data.components;
-  const auto value = [&](uint32_t i) { return renderer::interpolate(v0[i], v1[i], v2[i], chosen); };
+  const auto& v = data.components;
+  const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], chosen); };
   return {value(kUvComponent), value(kUvComponent + 1)};
 }
 
 SurfacePoint ShadedProgram::point_of(const PrimitiveData& data, const renderer::Fragment& fragment) const {
   const renderer::VertexWeights weights = fragment.weights().smooth;
-  const auto& [v0, v1, v2] = data.components;
-  const auto value = [&](uint32_t i) { return renderer::interpolate(v0[i], v1[i], v2[i], weights); };
+  const auto& v = data.components;
+  const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], weights); };
   const auto vector = [&](uint32_t i) { return glm::vec3(value(i), value(i + 1), value(i + 2)); };
   SurfacePoint point{.position_world = vector(kPositionComponent), .normal_world = vector(kNormalComponent)};
   if (shading_->uniforms.textured == 0) return point;

@@ -73,7 +73,7 @@ Texel sample_level(const TextureLevel& level, const Sampling2D& sampling, double
 
 Texel sample(const Texture& texture, double u, double v, double level_of_detail) {
   const Sampling2D& sampling = texture.sampling;
-  const double last = static_cast<double>(texture.levels.size() - 1);
+  const auto last = static_cast<double>(texture.levels.size() - 1);
   const double level = std::clamp(level_of_detail, 0.0, last);
   if (sampling.mipmaps != Mipmaps::kLinear) {
     // "Image Level(s) Selection": the preferred rounding of the nearest one is ceil(d + 0.5) - 1.

@@ -21,7 +21,7 @@ class Assets {
   Result<std::shared_ptr<const mesh::Mesh>> mesh(const std::string& case_file, const SceneObject& object);
 
   // A path from the case file's folder, or the name of an image in one of those folders.
-  Result<std::shared_ptr<const Texture>> texture(const std::string& case_file, const ScenePath& path,
+  Result<std::shared_ptr<const Texture>> texture(const std::string& case_file, const ScenePath& name,
                                                  const Sampling2D& sampling);
 
  private:

@@ -43,8 +43,9 @@ void add(std::array<Interval, 3>& sum, const glm::dvec3& color, const Interval& 
 
 Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& range) {
   const Direction normal = direction_of(range.normal_world, range.normal_error);
-  const Direction to_eye = direction_of(glm::dvec3(uniforms.eye) - range.position_world * double(uniforms.eye.w),
-                                        range.position_error * double(uniforms.eye.w));
+  const Direction to_eye =
+      direction_of(glm::dvec3(uniforms.eye) - range.position_world * static_cast<double>(uniforms.eye.w),
+                   range.position_error * static_cast<double>(uniforms.eye.w));
   Light light;
   add(light.diffuse, glm::dvec3(uniforms.ambient), {1, 1});
   for (size_t i = 0; i < static_cast<size_t>(uniforms.lights); ++i) {

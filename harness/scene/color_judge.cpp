@@ -142,9 +142,10 @@ PartyColors judge_party(const Case& built, const programs::CaseShading& shading,
   for (size_t index = 0; index < planes.hits.size(); ++index) {
     if (planes.hits[index] == 0) continue;
     const size_t pixel = index / planes.samples;
+    const size_t row = pixel / planes.width;
     const auto color = color_at(planes, index);
     const auto answer = bounds.of(index, static_cast<double>(pixel % planes.width) + 0.5,
-                                  static_cast<double>(pixel / planes.width) + 0.5, planes.owner[index], color);
+                                  static_cast<double>(row) + 0.5, planes.owner[index], color);
     if (!answer.judged) continue;
     ++result.judged;
     if (answer.inside) continue;

@@ -210,7 +210,7 @@ TEST(SourceB, TexturesBeginAtTheImagesTopLeft) {
 
 TEST(SourceC, AFloorWithoutAVertexInTheVolumeIsDrawn) {
   Assets assets;
-  const Case built = suite_scenes("scenes/source_c_all_vertices_outside", assets).at(0);
+  const Case built = suite_scenes("scenes/source_c_all_vertices_outside[size=50]", assets).at(0);
   bool behind = false;
   for (const auto& [x, y, z, w] : built.draws[0].positions) {
     EXPECT_TRUE(std::abs(x) > w || std::abs(y) > w || z < 0 || z > w);

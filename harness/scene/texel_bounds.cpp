@@ -8,6 +8,9 @@
 namespace fillrule::scene {
 namespace {
 
+// More of them, and a whole level is looked at.
+constexpr size_t kManyStops = 4096;
+
 constexpr ColorBounds kNothing{Interval{1e30, -1e30}, Interval{1e30, -1e30}, Interval{1e30, -1e30}};
 
 void include_color(ColorBounds& bounds, const std::array<double, 3>& color) {
@@ -47,7 +50,8 @@ class LevelBounds {
       : level_(level), sampling_(sampling) {
     const glm::dvec2 size(level.width, level.height);
     const glm::dvec2 centre = range.uv * size;
-    const double weights = sampling.filter == VK_FILTER_LINEAR ? std::exp2(-double(precision.sub_texel_bits)) : 0;
+    const double weights =
+        sampling.filter == VK_FILTER_LINEAR ? std::exp2(-static_cast<double>(precision.sub_texel_bits)) : 0;
     const glm::dvec2 error = range.uv_error * size + 0x1p-23 * (glm::abs(centre) + size) + weights;
     low_ = centre - error;
     high_ = centre + error;
@@ -56,8 +60,7 @@ class LevelBounds {
   [[nodiscard]] ColorBounds bounds() const {
     const std::vector<double> columns = stops(low_.x, high_.x);
     const std::vector<double> rows = stops(low_.y, high_.y);
-    constexpr size_t kMany = 4096;
-    if (columns.size() * rows.size() > kMany) return whole_level();
+    if (columns.size() * rows.size() > kManyStops) return whole_level();
     ColorBounds bounds = kNothing;
     for (const double y : rows) {
       for (const double x : columns) {
@@ -70,17 +73,15 @@ class LevelBounds {
  private:
   // The texels, or the ends and the texel centres, between two coordinates.
   [[nodiscard]] std::vector<double> stops(double low, double high) const {
-    constexpr double kMany = 4096;
-    const double between = high - low;
-    if (!(between < kMany)) return std::vector<double>(static_cast<size_t>(kMany) + 1);
+    const double first = std::floor(low);
+    const double texels = std::floor(high) - first + 1;
+    // NaN too.
+    if (!(texels <= kManyStops)) return std::vector<double>(kManyStops + 1);
     std::vector<double> stops;
-    if (sampling_.filter == VK_FILTER_NEAREST) {
-      for (double i = std::floor(low); i <= std::floor(high); ++i) stops.push_back(i);
-      return stops;
-    }
-    stops = {low, high};
-    for (double i = std::floor(low) + 0.5; i < high; ++i) {
-      if (i > low) stops.push_back(i);
+    if (sampling_.filter == VK_FILTER_LINEAR) stops = {low, high};
+    for (int i = 0; i < static_cast<int>(texels); ++i) {
+      const double stop = first + i + (sampling_.filter == VK_FILTER_LINEAR ? 0.5 : 0);
+      if (sampling_.filter == VK_FILTER_NEAREST || (stop > low && stop < high)) stops.push_back(stop);
     }
     return stops;
   }
@@ -103,8 +104,10 @@ class LevelBounds {
     const double b = y - 0.5 - top;
     std::array<double, 3> sum{};
     for (int corner = 0; corner < 4; ++corner) {
-      const double weight = (corner % 2 == 0 ? 1 - a : a) * (corner / 2 == 0 ? 1 - b : b);
-      const auto color = texel(left + corner % 2, top + corner / 2);
+      const bool is_right = corner % 2 != 0;
+      const bool is_lower = corner >= 2;
+      const double weight = (is_right ? a : 1 - a) * (is_lower ? b : 1 - b);
+      const auto color = texel(left + (is_right ? 1 : 0), top + (is_lower ? 1 : 0));
       for (size_t c = 0; c < 3; ++c) sum[c] += weight * color[c];
     }
     return sum;
@@ -149,20 +152,19 @@ ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, cons
     return LevelBounds(texture.levels[static_cast<size_t>(level)], sampling, range, precision).bounds();
   };
   if (sampling.mipmaps == Mipmaps::kNone) return of_level(0);
-  const double last = static_cast<double>(texture.levels.size() - 1);
+  const auto last = static_cast<double>(texture.levels.size() - 1);
   Interval lod = level_of_detail(texture, range);
-  const double error = std::exp2(-double(precision.mipmap_bits));
+  const double error = std::exp2(-static_cast<double>(precision.mipmap_bits));
   ColorBounds bounds = kNothing;
   if (sampling.mipmaps == Mipmaps::kNearest) {
-    for (double level = std::max(std::ceil(lod.low + 0.5) - 1, 0.0);
-         level <= std::min(std::floor(lod.high + 0.5), last); ++level) {
-      include(bounds, of_level(level));
-    }
+    const auto first = static_cast<int>(std::max(std::ceil(lod.low + 0.5) - 1, 0.0));
+    const auto end = static_cast<int>(std::min(std::floor(lod.high + 0.5), last));
+    for (int level = first; level <= end; ++level) include(bounds, of_level(level));
     return bounds;
   }
   lod = {std::max(lod.low - error, 0.0), std::min(lod.high + error, last)};
   std::vector<double> stops{lod.low, lod.high};
-  for (double level = std::ceil(lod.low); level < lod.high; ++level) stops.push_back(level);
+  for (auto level = static_cast<int>(std::ceil(lod.low)); level < lod.high; ++level) stops.push_back(level);
   for (const double stop : stops) {
     const double fine = std::floor(stop);
     const ColorBounds a = of_level(fine);

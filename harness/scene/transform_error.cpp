@@ -34,7 +34,7 @@ double window_error(const glm::dvec4& clip, const glm::dvec4& error, const VkVie
 Result<TransformError> transform_error(const Case& object, const programs::CaseShading& shading,
                                        uint32_t subpixel_bits) {
   TransformError worst;
-  const double allowed = std::exp2(-double(subpixel_bits) - 1);
+  const double allowed = std::exp2(-static_cast<double>(subpixel_bits) - 1);
   for (size_t i = 0; i < object.draws.size(); ++i) {
     const programs::ShadingUniforms& uniforms = shading[i].uniforms;
     const glm::dmat4 model = magnitudes(uniforms.model);
