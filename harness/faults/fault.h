@@ -138,9 +138,10 @@ enum class Fault : uint8_t {
 
 struct FaultEntry {
   Fault fault = Fault::kNone;
-  std::string_view name;    // the enumerator in snake_case
-  std::string_view what;    // what the rasterizer does then, in one line
-  std::string_view source;  // where it was met: a public thread, or "hand-written" for what such renderers get wrong
+  std::string_view name;  // the enumerator in snake_case
+  std::string_view what;  // what the rasterizer does then, in one line
+  std::string_view
+      source;  // a public report of a bug of this class, or "hand-written": what such renderers get wrong
 };
 
 // All faults in the order of the enumeration, without kNone.

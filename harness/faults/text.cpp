@@ -29,7 +29,7 @@ std::string to_text(const FaultTable& table) {
 
 std::string to_markdown(const FaultTable& table) {
   std::string text =
-      "| fault | what the rasterizer does | met in | cases | for instance | planes |\n"
+      "| fault | what the rasterizer does | class | cases | for instance | planes |\n"
       "|---|---|---|---|---|---|\n";
   for (const FaultRow& row : table.rows) {
     const std::vector<std::string> shown = examples(row);
