@@ -105,8 +105,7 @@ inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolati
 template <typename L>
 [[gnu::always_inline]] inline typename L::Int packed_unorm8(const Color<L>& color) {
   const auto code = [](typename L::Float value) __attribute__((always_inline)) {
-    value = value > L::all(0.0F) ? value : L::all(0.0F);
-    value = value < L::all(1.0F) ? value : L::all(1.0F);
+    value = L::lesser(L::greater(value, L::all(0.0F)), L::all(1.0F));
     return L::bits_of(value * L::all(255.0F) + L::all(0x1.8p23F));  // leaves no bit for a fraction
   };
   // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.

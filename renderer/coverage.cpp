@@ -13,182 +13,319 @@ namespace fillrule::renderer {
 namespace {
 
 constexpr uint64_t kFullMask = ~uint64_t{0};
+constexpr uint32_t kMaxBlocks = TileCoverage::kMaxBlocks;
 
-// The edges of one triangle of the fan that are not settled yet; a pixel is inside of all of them or of none.
+// The pixels of the 8x8 block at (x, y) that are in a rectangle which reaches into it.
+uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
+  const auto low = [](int32_t begin) { return static_cast<uint32_t>(std::max(begin, 0)); };
+  const auto high = [](int32_t end) { return static_cast<uint32_t>(kBlockSize - std::min(end, kBlockSize)); };
+  constexpr uint64_t kFirstColumn = 0x0101010101010101U;
+  const uint64_t columns = (0xFFU << low(rect.left - x)) & (0xFFU >> high(rect.right - x));
+  const uint64_t rows =
+      (kFullMask << low(rect.top - y) * kBlockSize) & (kFullMask >> high(rect.bottom - y) * kBlockSize);
+  return columns * kFirstColumn & rows;
+}
+
+bool contains_block(const PixelRect& rect, int32_t x, int32_t y) {
+  return x >= rect.left && y >= rect.top && x + kBlockSize <= rect.right && y + kBlockSize <= rect.bottom;
+}
+
+bool reaches_into_block(const PixelRect& rect, int32_t x, int32_t y) {
+  return x < rect.right && y < rect.bottom && x + kBlockSize > rect.left && y + kBlockSize > rect.top;
+}
+
+// One edge at all samples, from the first pixel of a rectangle of blocks within a tile: what is inside is not
+// negative.
+struct PieceEdge {
+  int32_t step_x = 0;  // a pixel
+  int32_t step_y = 0;
+  std::array<int64_t, kMaxSamples> at;
+  int64_t least = 0;  // of those of all samples
+  int64_t greatest = 0;
+
+  // The greatest and the least of an edge's steps within a block.
+  [[nodiscard]] int64_t most_in_block() const { return 7 * (std::max<int64_t>(step_x, 0) + std::max(step_y, 0)); }
+  [[nodiscard]] int64_t least_in_block() const { return 7 * (std::min<int64_t>(step_x, 0) + std::min(step_y, 0)); }
+};
+
+// Further away than this an edge keeps its sign all over a tile: 126 steps of less than 2^30 are less than 2^37, and
+// of less than 2^22 less than 2^29.
+constexpr int64_t kFar = int64_t{1} << 40;
+constexpr int64_t kNarrowFar = int64_t{1} << 30;
+constexpr int32_t kNarrowStep = 1 << 22;
+
+// One triangle of the fan, positively oriented, in a rectangle of blocks.
 struct Piece {
-  std::array<EdgeFunction, 3> edges;
-  uint32_t count = 0;
-};
+  std::array<PieceEdge, 3> edges;
+  bool is_narrow = true;  // int32 holds its edges all over the tile
 
-struct Pieces {
-  std::array<Piece, kMaxPolygonVertices - 2> pieces;
-  uint32_t count = 0;
-};
-
-// The least and the greatest value of an edge function over a rectangle of pixels: at two of its corners.
-struct Range {
-  int64_t least;
-  int64_t greatest;
-};
-
-Range range_over(const EdgeFunction& edge, int64_t at_top_left, int32_t width, int32_t height) {
-  const int64_t across = int64_t{edge.step_x} * (width - 1);
-  const int64_t down = int64_t{edge.step_y} * (height - 1);
-  return {at_top_left + (across < 0 ? across : 0) + (down < 0 ? down : 0),
-          at_top_left + (across > 0 ? across : 0) + (down > 0 ? down : 0)};
-}
-
-std::array<EdgeFunction, 3> edges_of(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c,
-                                     const FixedPosition& sample_fixed, uint32_t subpixel_bits) {
-  return {edge_function(a, b, sample_fixed, subpixel_bits), edge_function(b, c, sample_fixed, subpixel_bits),
-          edge_function(c, a, sample_fixed, subpixel_bits)};
-}
-
-// Drops the edges that all of the rectangle is inside of; false if all of it is outside of one.
-bool settle(const PixelRect& rect, const std::array<EdgeFunction, 3>& edges, Piece& piece) {
-  piece.count = 0;
-  for (const EdgeFunction& edge : edges) {
-    const Range range = range_over(edge, edge.at(rect.left, rect.top), rect.width(), rect.height());
-    if (range.greatest < 0) {
-      return false;
+  Piece(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c, std::span<const SampleArea> samples,
+        uint32_t subpixel_bits, const PixelRect& blocks) {
+    const std::array<const FixedPosition*, 4> corners{&a, &b, &c, &a};
+    for (size_t i = 0; i < 3; ++i) {
+      PieceEdge& edge = edges[i];
+      for (size_t sample = 0; sample < samples.size(); ++sample) {
+        const EdgeFunction function =
+            edge_function(*corners[i], *corners[i + 1], samples[sample].sample_fixed, subpixel_bits);
+        const int64_t at = function.at(blocks.left, blocks.top);
+        edge.step_x = function.step_x;
+        edge.step_y = function.step_y;
+        edge.at[sample] = at;
+        edge.least = sample == 0 ? at : std::min(edge.least, at);
+        edge.greatest = sample == 0 ? at : std::max(edge.greatest, at);
+      }
+      is_narrow = is_narrow && std::max(std::abs(edge.step_x), std::abs(edge.step_y)) < kNarrowStep;
     }
-    if (range.least < 0) {
-      piece.edges[piece.count++] = edge;
-    }
-  }
-  return true;
-}
-
-// The pixels of a block that are inside of an edge which crosses it, for edges too steep for int32.
-uint64_t steep_edge_mask(int64_t at_top_left, const EdgeFunction& edge) {
-  uint64_t mask = 0;
-  for (uint32_t row = 0; row < kBlockSize; ++row) {
-    for (uint32_t column = 0; column < kBlockSize; ++column) {
-      const int64_t value = at_top_left + int64_t{edge.step_x} * column + int64_t{edge.step_y} * row;
-      mask |= static_cast<uint64_t>(value >= 0) << (row * kBlockSize + column);
-    }
-  }
-  return mask;
-}
-
-// The edges of a piece that cross a block, by their values at its top left pixel; the others are 0 throughout. Within
-// the block |value| is at most 7 * (|step_x| + |step_y|), since both signs occur, and one step more is taken.
-struct CrossingEdges {
-  std::array<int32_t, 3> at_top_left{};
-  std::array<int32_t, 3> step_x{};
-  std::array<int32_t, 3> step_y{};
-};
-
-// The pixels inside of all these edges: lanes are rows, one column after the other.
-template <typename L>
-[[gnu::always_inline]] inline uint64_t crossing_mask(const CrossingEdges& edges) {
-  uint64_t outside = 0;
-  for (int32_t row = 0; row < kBlockSize; row += static_cast<int32_t>(L::kWidth)) {
-    const typename L::Int rows = L::numbers() + row;
-    typename L::Int value0 = rows * edges.step_y[0] + edges.at_top_left[0];
-    typename L::Int value1 = rows * edges.step_y[1] + edges.at_top_left[1];
-    typename L::Int value2 = rows * edges.step_y[2] + edges.at_top_left[2];
-    typename L::Int outside_rows = L::numbers() & 0;
-    for (int32_t column = 0; column < kBlockSize; ++column) {
-      outside_rows = outside_rows | (((value0 | value1 | value2) >> 31) & (1 << column));
-      value0 = value0 + edges.step_x[0];
-      value1 = value1 + edges.step_x[1];
-      value2 = value2 + edges.step_x[2];
-    }
-    outside |= L::low_bytes(outside_rows) << static_cast<uint32_t>(row * kBlockSize);
-  }
-  return ~outside;
-}
-
-template <typename L>
-[[gnu::always_inline]] inline uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
-  uint64_t mask = kFullMask;
-  CrossingEdges crossing;
-  bool crosses = false;
-  for (uint32_t i = 0; i < piece.count; ++i) {
-    const EdgeFunction& edge = piece.edges[i];
-    const int64_t at_top_left = edge.at(x, y);
-    const Range range = range_over(edge, at_top_left, kBlockSize, kBlockSize);
-    if (range.greatest < 0) {
-      return 0;
-    }
-    if (range.least < 0) {
-      constexpr int64_t kNarrow = int64_t{1} << 27;
-      if (std::abs(int64_t{edge.step_x}) + std::abs(int64_t{edge.step_y}) >= kNarrow) {
-        mask &= steep_edge_mask(at_top_left, edge);
-      } else {
-        crossing.at_top_left[i] = static_cast<int32_t>(at_top_left);
-        crossing.step_x[i] = edge.step_x;
-        crossing.step_y[i] = edge.step_y;
-        crosses = true;
+    const int64_t far = is_narrow ? kNarrowFar : kFar;
+    for (PieceEdge& edge : edges) {
+      edge.least = std::clamp(edge.least, -far, far);
+      edge.greatest = std::clamp(edge.greatest, -far, far);
+      for (size_t sample = 0; sample < samples.size(); ++sample) {
+        edge.at[sample] = std::clamp(edge.at[sample], -far, far);
       }
     }
   }
-  return crosses ? mask & crossing_mask<L>(crossing) : mask;
-}
+};
 
-// The pixels of the 8x8 block at (x, y) that are in the rectangle, which may be anywhere.
-uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
-  if (x >= rect.left && y >= rect.top && x + kBlockSize <= rect.right && y + kBlockSize <= rect.bottom) {
-    return kFullMask;
+// What a sample's pixels of a block are covered by, in int32 lanes side by side.
+template <typename L>
+struct NarrowEdges {
+  std::array<typename L::Int, 3> columns;  // the steps to the right, lane by lane
+  const Piece& piece;
+
+  [[gnu::always_inline]] explicit NarrowEdges(const Piece& the_piece) : piece(the_piece) {
+    columns[0] = L::numbers() * piece.edges[0].step_x;
+    columns[1] = L::numbers() * piece.edges[1].step_x;
+    columns[2] = L::numbers() * piece.edges[2].step_x;
   }
-  // Bits [low, high) of 8: the columns, or the rows, of the block between two coordinates.
-  const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
-    const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
-    const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
-    const uint64_t mask = ((1U << high) - 1U) & ~((1U << low) - 1U);
-    return mask;
+
+  // Of the block whose first pixel is at (x, y) from that of the rectangle.
+  [[gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
+    const auto& [edge0, edge1, edge2] = piece.edges;
+    uint64_t outside = 0;
+    for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
+      typename L::Int value0 = columns[0] + start(edge0, sample, x + column, y);
+      typename L::Int value1 = columns[1] + start(edge1, sample, x + column, y);
+      typename L::Int value2 = columns[2] + start(edge2, sample, x + column, y);
+      for (int32_t row = 0; row < kBlockSize; ++row) {
+        outside |= uint64_t{L::sign_bits(value0 | value1 | value2)} << (row * kBlockSize + column);
+        value0 = value0 + edge0.step_y;
+        value1 = value1 + edge1.step_y;
+        value2 = value2 + edge2.step_y;
+      }
+    }
+    return ~outside;
+  }
+
+  // The blocks of a row from (x, y) on, as many as there are lanes: which of them are outside, bit by bit, and which
+  // are cut by an edge.
+  struct Classes {
+    uint32_t outside;
+    uint32_t cut;
   };
-  constexpr uint64_t kFirstColumn = 0x0101010101010101U;
-  const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
-  uint64_t mask = 0;
-  for (uint64_t rows = range_mask(rect.top, rect.bottom, y); rows != 0; rows &= rows - 1) {
-    mask |= uint64_t{0xFF} << (static_cast<uint32_t>(std::countr_zero(rows)) * kBlockSize);
-  }
-  return mask & columns;
-}
-
-// One triangle over a rectangle of at most 8x8 pixels, pixel by pixel.
-uint64_t small_mask(const std::array<EdgeFunction, 3>& edges, const PixelRect& rect) {
-  uint64_t mask = 0;
-  int64_t row0 = edges[0].at(rect.left, rect.top);
-  int64_t row1 = edges[1].at(rect.left, rect.top);
-  int64_t row2 = edges[2].at(rect.left, rect.top);
-  for (int32_t row = 0; row < rect.height(); ++row) {
-    int64_t value0 = row0;
-    int64_t value1 = row1;
-    int64_t value2 = row2;
-    for (int32_t column = 0; column < rect.width(); ++column) {
-      const bool is_inside = (value0 | value1 | value2) >= 0;
-      mask |= static_cast<uint64_t>(is_inside) << static_cast<uint32_t>(row * kBlockSize + column);
-      value0 += edges[0].step_x;
-      value1 += edges[1].step_x;
-      value2 += edges[2].step_x;
+  [[gnu::always_inline]] Classes classes(int32_t x, int32_t y) const {
+    typename L::Int outside = L::numbers() & 0;
+    typename L::Int cut = outside;
+    for (size_t i = 0; i < 3; ++i) {
+      const PieceEdge& edge = piece.edges[i];
+      const typename L::Int steps = columns[i] * kBlockSize;
+      const auto from_first = static_cast<int32_t>(x * edge.step_x + y * edge.step_y);
+      outside = outside | (steps + (static_cast<int32_t>(edge.greatest + edge.most_in_block()) + from_first));
+      cut = cut | (steps + (static_cast<int32_t>(edge.least + edge.least_in_block()) + from_first));
     }
-    row0 += edges[0].step_y;
-    row1 += edges[1].step_y;
-    row2 += edges[2].step_y;
+    return {L::sign_bits(outside), L::sign_bits(cut)};
   }
-  return mask;
+
+ private:
+  [[gnu::always_inline]] static int32_t start(const PieceEdge& edge, size_t sample, int32_t x, int32_t y) {
+    return static_cast<int32_t>(edge.at[sample]) + x * edge.step_x + y * edge.step_y;
+  }
+};
+
+// The same for steps that int32 has no room for: doubles hold them exactly.
+template <typename L>
+struct WideEdges {
+  const Piece& piece;
+
+  [[gnu::always_inline]] explicit WideEdges(const Piece& the_piece) : piece(the_piece) {}
+
+  [[gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
+    uint64_t outside = 0;
+    for (const PieceEdge& edge : piece.edges) {
+      for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
+        const double start =
+            static_cast<double>(edge.at[sample] + int64_t{x + column} * edge.step_x + int64_t{y} * edge.step_y);
+        const auto values = L::all(start) + L::to_double(L::numbers()) * L::all(static_cast<double>(edge.step_x));
+        for (int32_t row = 0; row < kBlockSize; ++row) {
+          const auto value = values + L::all(static_cast<double>(edge.step_y) * row);
+          outside |= uint64_t{L::sign_bits(L::bits_of(L::to_float(value)))} << (row * kBlockSize + column);
+        }
+      }
+    }
+    return ~outside;
+  }
+
+  using Classes = typename NarrowEdges<L>::Classes;
+  [[gnu::always_inline]] Classes classes(int32_t x, int32_t y) const {
+    Classes classes{};
+    for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
+      for (const PieceEdge& edge : piece.edges) {
+        const int64_t from_first =
+            (x + static_cast<int32_t>(lane) * kBlockSize) * int64_t{edge.step_x} + y * int64_t{edge.step_y};
+        classes.outside |= static_cast<uint32_t>(edge.greatest + edge.most_in_block() + from_first < 0) << lane;
+        classes.cut |= static_cast<uint32_t>(edge.least + edge.least_in_block() + from_first < 0) << lane;
+      }
+    }
+    return classes;
+  }
+};
+
+// Calls visit(x, y, masks) for the blocks that the edges leave something of, row by row.
+template <typename L, typename Edges, typename Visit>
+[[gnu::always_inline]] inline void for_each_block(const Edges& edges, const PixelRect& blocks, size_t samples,
+                                                  const Visit& visit) {
+  std::array<uint64_t, kMaxSamples> masks;
+  constexpr uint32_t kAllLanes = (1U << L::kWidth) - 1;
+  for (int32_t y = 0; y < blocks.height(); y += kBlockSize) {
+    for (int32_t first = 0; first < blocks.width(); first += kBlockSize * static_cast<int32_t>(L::kWidth)) {
+      const auto [outside, cut] = edges.classes(first, y);
+      const auto columns = static_cast<uint32_t>((blocks.width() - first) / kBlockSize);
+      const uint32_t in_rect = columns >= L::kWidth ? kAllLanes : (1U << columns) - 1;
+      for (uint32_t rest = ~outside & in_rect; rest != 0; rest &= rest - 1) {
+        const int32_t lane = std::countr_zero(rest);
+        const int32_t x = first + lane * kBlockSize;
+        for (size_t sample = 0; sample < samples; ++sample) {
+          masks[sample] = (cut >> lane & 1U) != 0 ? edges.mask(sample, x, y) : kFullMask;
+        }
+        visit(blocks.left + x, blocks.top + y, masks);
+      }
+    }
+  }
 }
 
-// Calls visit(edges) for each triangle of the fan that has an area, positively oriented.
+// The same of one block.
+template <typename L, typename Edges, typename Visit>
+[[gnu::always_inline]] inline void visit_block(const Edges& edges, const PixelRect& block, size_t samples,
+                                               const Visit& visit) {
+  std::array<uint64_t, kMaxSamples> masks;
+  for (size_t sample = 0; sample < samples; ++sample) {
+    masks[sample] = edges.mask(sample, 0, 0);
+  }
+  visit(block.left, block.top, masks);
+}
+
+template <typename L, typename Visit>
+[[gnu::always_inline]] inline void fill(const Piece& piece, const PixelRect& blocks, size_t samples,
+                                        const Visit& visit) {
+  const bool is_one = blocks.width() == kBlockSize && blocks.height() == kBlockSize;
+  if (!piece.is_narrow) {
+    for_each_block<L>(WideEdges<L>(piece), blocks, samples, visit);
+  } else if (is_one) {
+    visit_block<L>(NarrowEdges<L>(piece), blocks, samples, visit);
+  } else {
+    for_each_block<L>(NarrowEdges<L>(piece), blocks, samples, visit);
+  }
+}
+
+// Calls visit(a, b, c) for each triangle of the fan that has an area, positively oriented.
 template <typename Visit>
-void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
-                    const Visit& visit) {
+[[gnu::always_inline]] inline void for_each_piece(std::span<const FixedPosition> outline, const Visit& visit) {
   for (size_t i = 2; i < outline.size(); ++i) {
-    const FixedPosition& a = outline[0];
-    FixedPosition b = outline[i - 1];
-    FixedPosition c = outline[i];
-    const int64_t area = doubled_area(a, b, c);
-    if (area == 0) {
-      continue;
+    const int64_t area = doubled_area(outline[0], outline[i - 1], outline[i]);
+    if (area > 0) {
+      visit(outline[0], outline[i - 1], outline[i]);
+    } else if (area < 0) {
+      visit(outline[0], outline[i], outline[i - 1]);
     }
-    if (area < 0) {
-      std::swap(b, c);
-    }
-    visit(edges_of(a, b, c, sample_fixed, subpixel_bits));
   }
+}
+
+// Where the blocks of a draw with one sample a pixel go.
+struct OneSample {
+  TileCoverage& coverage;
+
+  [[gnu::always_inline]] void add(int32_t x, int32_t y, const std::array<uint64_t, kMaxSamples>& masks,
+                                  uint64_t in_rect, std::span<const SampleArea> /*samples*/) const {
+    if (const uint64_t mask = masks[0] & in_rect; mask != 0) {
+      coverage.blocks[coverage.count++] = {x, y, mask};
+    }
+  }
+};
+
+// And with several.
+struct SeveralSamples {
+  SampledTileCoverage& coverage;
+
+  [[gnu::always_inline]] void add(int32_t x, int32_t y, const std::array<uint64_t, kMaxSamples>& masks,
+                                  uint64_t in_rect, std::span<const SampleArea> samples) const {
+    SampledBlock& block = coverage.blocks[coverage.count];
+    block = {.x = x, .y = y};
+    for (size_t i = 0; i < samples.size(); ++i) {
+      uint64_t mask = masks[i] & in_rect;
+      if (!contains_block(samples[i].pixels, x, y)) {
+        mask = reaches_into_block(samples[i].pixels, x, y) ? mask & rect_mask(samples[i].pixels, x, y) : 0;
+      }
+      block.masks[i] = mask;
+      block.any |= mask;
+    }
+    coverage.count += block.any != 0 ? 1 : 0;
+  }
+};
+
+// The pieces of a polygon, block by block.
+struct PieceParity {
+  uint64_t touched = 0;  // bit i: block i, row by row from the rectangle's first
+  std::array<std::array<uint64_t, kMaxSamples>, kMaxBlocks> masks;
+
+  void flip(size_t block, size_t samples, const std::array<uint64_t, kMaxSamples>& piece) {
+    if ((touched >> block & 1U) == 0) {
+      touched |= uint64_t{1} << block;
+      masks[block] = {};
+    }
+    for (size_t i = 0; i < samples; ++i) {
+      masks[block][i] ^= piece[i];
+    }
+  }
+};
+
+template <typename Target>
+void cover_by_edges(std::span<const FixedPosition> outline, std::span<const SampleArea> samples,
+                    uint32_t subpixel_bits, const PixelRect& rect, Isa isa, const Target& target) {
+  // Blocks at the rectangle's border reach beyond it, within the tile.
+  const PixelRect blocks{rect.left & ~(kBlockSize - 1), rect.top & ~(kBlockSize - 1),
+                         (rect.right + kBlockSize - 1) & ~(kBlockSize - 1),
+                         (rect.bottom + kBlockSize - 1) & ~(kBlockSize - 1)};
+  const auto add = [&](int32_t x, int32_t y, const std::array<uint64_t, kMaxSamples>& masks)
+      __attribute__((always_inline)) {
+    target.add(x, y, masks, contains_block(rect, x, y) ? kFullMask : rect_mask(rect, x, y), samples);
+  };
+  dispatch(
+      isa, [&]<typename L>() __attribute__((always_inline)) {
+        if (outline.size() == 3) {
+          for_each_piece(
+              outline, [&](const auto& a, const auto& b, const auto& c) __attribute__((always_inline)) {
+                fill<L>(Piece(a, b, c, samples, subpixel_bits, blocks), blocks, samples.size(), add);
+              });
+          return;
+        }
+        PieceParity parity;
+        const auto number = [&](int32_t x, int32_t y) {
+          return static_cast<size_t>((y - blocks.top) / kBlockSize * (blocks.width() / kBlockSize) +
+                                     (x - blocks.left) / kBlockSize);
+        };
+        for_each_piece(
+            outline, [&](const auto& a, const auto& b, const auto& c) __attribute__((always_inline)) {
+              fill<L>(
+                  Piece(a, b, c, samples, subpixel_bits, blocks), blocks, samples.size(),
+                  [&](int32_t x, int32_t y, const auto& masks) { parity.flip(number(x, y), samples.size(), masks); });
+            });
+        for (uint64_t rest = parity.touched; rest != 0; rest &= rest - 1) {
+          const int32_t block = std::countr_zero(rest);
+          const int32_t columns = blocks.width() / kBlockSize;
+          add(blocks.left + block % columns * kBlockSize, blocks.top + block / columns * kBlockSize,
+              parity.masks[static_cast<size_t>(block)]);
+        }
+      });
 }
 
 }  // namespace
@@ -196,48 +333,8 @@ void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition&
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
            const PixelRect& rect, TileCoverage& coverage, Isa isa) {
   coverage.count = 0;
-  const int32_t block_x = rect.left & ~(kBlockSize - 1);
-  const int32_t block_y = rect.top & ~(kBlockSize - 1);
-  if (rect.right <= block_x + kBlockSize && rect.bottom <= block_y + kBlockSize) {
-    uint64_t mask = 0;
-    for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
-    mask <<= static_cast<uint32_t>((rect.top - block_y) * kBlockSize + rect.left - block_x);
-    if (mask != 0) {
-      coverage.blocks[coverage.count++] = {block_x, block_y, mask};
-    }
-    return;
-  }
-
-  // Step 1: settle what the whole rectangle answers alike. Blocks at its border reach beyond it, within the tile.
-  const PixelRect blocks{rect.left & ~(kBlockSize - 1), rect.top & ~(kBlockSize - 1),
-                         (rect.right + kBlockSize - 1) & ~(kBlockSize - 1),
-                         (rect.bottom + kBlockSize - 1) & ~(kBlockSize - 1)};
-  Pieces active;
-  for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) {
-    if (settle(blocks, edges, active.pieces[active.count])) {
-      ++active.count;
-    }
-  });
-  if (active.count == 0) {
-    return;
-  }
-
-  // Step 2: block by block.
-  dispatch(
-      isa, [&]<typename L>() __attribute__((always_inline)) {
-        for (int32_t y = blocks.top; y < blocks.bottom; y += kBlockSize) {
-          for (int32_t x = blocks.left; x < blocks.right; x += kBlockSize) {
-            uint64_t mask = 0;
-            for (uint32_t i = 0; i < active.count; ++i) {
-              mask ^= block_mask<L>(active.pieces[i], x, y);
-            }
-            mask &= rect_mask(rect, x, y);
-            if (mask != 0) {
-              coverage.blocks[coverage.count++] = {x, y, mask};
-            }
-          }
-        }
-      });
+  const SampleArea sample{sample_fixed, rect};
+  cover_by_edges(outline, {&sample, 1}, subpixel_bits, rect, isa, OneSample{coverage});
 }
 
 uint32_t SampledBlock::samples_at(uint32_t bit) const {
@@ -263,6 +360,10 @@ void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, con
 void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
                    std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage) {
   coverage.count = 0;
+  if (outline.size() > 2 && rule.fill == Fill::kEdgeFunction) {
+    cover_by_edges(outline, samples, rule.subpixel_bits, rect, rule.isa, SeveralSamples{coverage});
+    return;
+  }
   // Which entry the block of a tile's row and column has: all samples' blocks lie alike.
   constexpr uint8_t kNone = 0xFF;
   std::array<uint8_t, TileCoverage::kMaxBlocks> entries;
@@ -280,7 +381,8 @@ void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outl
         coverage.blocks[coverage.count++] = {.x = x, .y = y};
       }
       SampledBlock& block = coverage.blocks[entry];
-      block.masks[i] = mask & rect_mask(samples[i].pixels, x, y);
+      const PixelRect& pixels = samples[i].pixels;
+      block.masks[i] = reaches_into_block(pixels, x, y) ? mask & rect_mask(pixels, x, y) : 0;
       block.any |= block.masks[i];
     }
   }
