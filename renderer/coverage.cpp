@@ -13,7 +13,6 @@ namespace fillrule::renderer {
 namespace {
 
 constexpr uint64_t kFullMask = ~uint64_t{0};
-constexpr uint32_t kMaxBlocks = TileCoverage::kMaxBlocks;
 
 // The pixels of the 8x8 block at (x, y) that are in a rectangle which reaches into it.
 uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
@@ -246,9 +245,9 @@ struct OneSample {
 
   [[gnu::always_inline]] void add(int32_t x, int32_t y, const std::array<uint64_t, kMaxSamples>& masks,
                                   uint64_t in_rect, std::span<const SampleArea> /*samples*/) const {
-    if (const uint64_t mask = masks[0] & in_rect; mask != 0) {
-      coverage.blocks[coverage.count++] = {x, y, mask};
-    }
+    const uint64_t mask = masks[0] & in_rect;
+    coverage.blocks[coverage.count] = {x, y, mask};
+    coverage.count += mask != 0 ? 1 : 0;
   }
 };
 
@@ -332,7 +331,6 @@ void cover_by_edges(std::span<const FixedPosition> outline, std::span<const Samp
 
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
            const PixelRect& rect, TileCoverage& coverage, Isa isa) {
-  coverage.count = 0;
   const SampleArea sample{sample_fixed, rect};
   cover_by_edges(outline, {&sample, 1}, subpixel_bits, rect, isa, OneSample{coverage});
 }
@@ -359,17 +357,17 @@ void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, con
 
 void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
                    std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage) {
-  coverage.count = 0;
   if (outline.size() > 2 && rule.fill == Fill::kEdgeFunction) {
     cover_by_edges(outline, samples, rule.subpixel_bits, rect, rule.isa, SeveralSamples{coverage});
     return;
   }
   // Which entry the block of a tile's row and column has: all samples' blocks lie alike.
   constexpr uint8_t kNone = 0xFF;
-  std::array<uint8_t, TileCoverage::kMaxBlocks> entries;
+  std::array<uint8_t, kMaxBlocks> entries;
   entries.fill(kNone);
   TileCoverage one;
   for (uint32_t i = 0; i < samples.size(); ++i) {
+    one.count = 0;
     cover(rule, outline, samples[i].sample_fixed, rect, one);
     for (uint32_t k = 0; k < one.count; ++k) {
       const auto& [x, y, mask] = one.blocks[k];

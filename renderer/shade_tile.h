@@ -9,6 +9,7 @@
 #include <bit>
 #include <cstdint>
 #include <span>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -235,16 +236,16 @@ inline void set_anchor(const PixelRect& tile_pixels, ShadedPrimitive& primitive)
 
 // Asks for what the next primitives will need: those of a tile are far apart in memory.
 template <Program P>
-[[gnu::always_inline]] inline void prefetch(const PreparedDraw& draw, const P& program,
-                                            const std::vector<ClipPosition>& positions_clip,
+[[gnu::always_inline]] inline void prefetch(const P& program, const std::vector<ClipPosition>& positions_clip,
                                             const TileEntries& entries) {
-  constexpr size_t kFar = 8;
-  constexpr size_t kNear = 4;  // has arrived since it was far
+  constexpr size_t kFar = 16;
+  constexpr size_t kNear = 8;  // has arrived since it was far
   if (const SetupPrimitive* const far = entries.ahead(kFar)) {
     __builtin_prefetch(far);
+    __builtin_prefetch(&far->front_facing);  // its end, which may be in another line of the cache
   }
   if (const SetupPrimitive* const near = entries.ahead(kNear)) {
-    for (const uint32_t vertex : draw.assembly.vertices(near->primitive)) {
+    for (const uint32_t vertex : near->indices) {
       __builtin_prefetch(&positions_clip[vertex]);
       if constexpr (requires { program.prefetch(vertex); }) {
         program.prefetch(vertex);
@@ -252,6 +253,83 @@ template <Program P>
     }
   }
 }
+
+// Primitives that were covered and wait for their shading: whether the next one covers anything is then known before
+// it is asked, not guessed wrong half of the time.
+template <typename L, typename Coverage, Program P>
+class ShadingQueue {
+ public:
+  [[gnu::always_inline]] ShadingQueue(const PreparedDraw& draw, const P& program,
+                                      const std::vector<ClipPosition>& positions_clip, const PixelRect& tile_pixels,
+                                      TileAttachments& attachments)
+      : draw_(draw),
+        program_(program),
+        positions_clip_(positions_clip),
+        tile_pixels_(tile_pixels),
+        attachments_(attachments) {}
+
+  [[gnu::always_inline]] void add(const SetupPrimitive& primitive, std::span<const FixedPosition> outline) {
+    const PixelRect rect = intersection(primitive.bounds(), tile_pixels_);
+    if (rect.empty()) {
+      return;
+    }
+    entries_[count_] = {&primitive, outline, coverage_.count};
+    cover_tile(draw_, outline, rect, coverage_);
+    count_ += coverage_.count != entries_[count_].first_block ? 1 : 0;
+    if (count_ == kMaxEntries || coverage_.count > kMaxBlocks) {
+      shade();
+    }
+  }
+
+  // Whatever waits.
+  [[gnu::always_inline]] void shade() {
+    for (uint32_t i = 0; i < count_; ++i) {
+      shade(entries_[i], i + 1 < count_ ? entries_[i + 1].first_block : coverage_.count);
+    }
+    count_ = 0;
+    coverage_.count = 0;
+  }
+
+ private:
+  static constexpr uint32_t kMaxEntries = 16;
+  static_assert(std::tuple_size_v<decltype(Coverage::blocks)> == 2 * kMaxBlocks, "room for one primitive more");
+
+  struct Entry {
+    const SetupPrimitive* primitive = nullptr;
+    std::span<const FixedPosition> outline;
+    uint32_t first_block = 0;
+  };
+
+  [[gnu::always_inline]] void shade(const Entry& entry, uint32_t end_block) const {
+    const PrimitiveInterpolation interpolation =
+        make_interpolation(draw_, *entry.primitive, positions_clip_, entry.outline);
+    ShadedPrimitive shaded{.primitive = entry.primitive->primitive,
+                           .vertices = entry.primitive->indices,
+                           .front_facing = entry.primitive->front_facing,
+                           .interpolation = &interpolation};
+    set_anchor(tile_pixels_, shaded);
+    const typename P::PrimitiveData data = program_.primitive_data(shaded);
+    const Shader<L, P> shader{draw_,
+                              program_,
+                              data,
+                              shaded,
+                              interpolation,
+                              reciprocal_w_plane(interpolation, shaded.anchor_x, shaded.anchor_y),
+                              attachments_};
+    for (uint32_t block = entry.first_block; block < end_block; ++block) {
+      shader.shade(coverage_.blocks[block]);
+    }
+  }
+
+  const PreparedDraw& draw_;
+  const P& program_;
+  const std::vector<ClipPosition>& positions_clip_;
+  PixelRect tile_pixels_;
+  TileAttachments& attachments_;
+  std::array<Entry, kMaxEntries + 1> entries_;
+  uint32_t count_ = 0;
+  Coverage coverage_;
+};
 
 // Coverage is TileCoverage for draws of one sample a pixel, which are much the faster for it, and else
 // SampledTileCoverage.
@@ -262,38 +340,15 @@ template <typename L, typename Coverage, Program P>
                                               std::span<const PrimitiveChunk> chunks) {
   static thread_local TileAttachments::Storage storage;
   TileAttachments attachments(draw, tile_pixels, storage);
-  Coverage coverage;
+  ShadingQueue<L, Coverage, P> queue(draw, program, positions_clip, tile_pixels, attachments);
   for (const PrimitiveChunk& chunk : chunks) {
     TileEntries entries = chunk.entries(tile);
     while (const SetupPrimitive* const primitive = entries.next()) {
-      prefetch(draw, program, positions_clip, entries);
-      const PixelRect rect = intersection(primitive->bounds(), tile_pixels);
-      if (rect.empty()) {
-        continue;
-      }
-      const std::span<const FixedPosition> outline = primitive->outline(chunk.polygon_vertices());
-      cover_tile(draw, outline, rect, coverage);
-      if (coverage.count == 0) {
-        continue;
-      }
-      const std::array<uint32_t, 3> vertices = draw.assembly.vertices(primitive->primitive);
-      const PrimitiveInterpolation interpolation =
-          make_interpolation(draw, *primitive, vertices, positions_clip, outline);
-      ShadedPrimitive shaded{.primitive = primitive->primitive,
-                             .vertices = vertices,
-                             .front_facing = primitive->front_facing,
-                             .interpolation = &interpolation};
-      set_anchor(tile_pixels, shaded);
-      const typename P::PrimitiveData data = program.primitive_data(shaded);
-      const Shader<L, P> shader{draw,          program,
-                                data,          shaded,
-                                interpolation, reciprocal_w_plane(interpolation, shaded.anchor_x, shaded.anchor_y),
-                                attachments};
-      for (uint32_t i = 0; i < coverage.count; ++i) {
-        shader.shade(coverage.blocks[i]);
-      }
+      prefetch(program, positions_clip, entries);
+      queue.add(*primitive, primitive->outline(chunk.polygon_vertices()));
     }
   }
+  queue.shade();
   attachments.store();
 }
 
