@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "renderer/color_rows.h"
+#include "renderer/edge_fill.h"
 #include "renderer/sample_rows.h"
 #include "renderer/shading.h"
 #include "renderer/tile_attachments.h"
@@ -217,13 +218,13 @@ struct Shader {
   }
 };
 
-inline void cover_tile(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
-                       TileCoverage& coverage) {
-  cover(draw.coverage_rule, outline, draw.samples().front().sample_fixed, rect, coverage);
+inline void cover(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
+                  TileCoverage& coverage) {
+  renderer::cover(draw.coverage_rule, outline, draw.samples().front().sample_fixed, rect, coverage);
 }
 
-inline void cover_tile(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
-                       SampledTileCoverage& coverage) {
+inline void cover(const PreparedDraw& draw, std::span<const FixedPosition> outline, const PixelRect& rect,
+                  SampledTileCoverage& coverage) {
   cover_samples(draw.coverage_rule, outline, draw.samples(), rect, coverage);
 }
 
@@ -268,13 +269,18 @@ class ShadingQueue {
         tile_pixels_(tile_pixels),
         attachments_(attachments) {}
 
-  [[gnu::always_inline]] void add(const SetupPrimitive& primitive, std::span<const FixedPosition> outline) {
+  [[gnu::always_inline]] void add(const SetupPrimitive& primitive, const std::vector<FixedPosition>& polygon_vertices) {
     const PixelRect rect = intersection(primitive.bounds(), tile_pixels_);
     if (rect.empty()) {
       return;
     }
+    const std::span<const FixedPosition> outline = primitive.outline(polygon_vertices);
     entries_[count_] = {&primitive, outline, coverage_.count};
-    cover_tile(draw_, outline, rect, coverage_);
+    const bool is_triangle = primitive.polygon_count == 0 && draw_.coverage_rule.fill == Fill::kEdgeFunction;
+    if (!is_triangle ||
+        !cover_narrow<L>(primitive.vertices, draw_.samples(), draw_.subpixel_bits, rect, coverage_)) {
+      cover(draw_, outline, rect, coverage_);
+    }
     count_ += coverage_.count != entries_[count_].first_block ? 1 : 0;
     if (count_ == kMaxEntries || coverage_.count > kMaxBlocks) {
       shade();
@@ -345,7 +351,7 @@ template <typename L, typename Coverage, Program P>
     TileEntries entries = chunk.entries(tile);
     while (const SetupPrimitive* const primitive = entries.next()) {
       prefetch(program, positions_clip, entries);
-      queue.add(*primitive, primitive->outline(chunk.polygon_vertices()));
+      queue.add(*primitive, chunk.polygon_vertices());
     }
   }
   queue.shade();
