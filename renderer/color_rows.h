@@ -42,10 +42,14 @@ struct ColorRows {
     Lanes::store(mask ? packed(y) : Lanes::load(stored), stored);
   }
 
-  // The same of pixels of several samples: bit i is value i.
-  template <uint32_t kSamples>
+  // Of all of them.
+  [[gnu::always_inline]] void write_all(int32_t offset, int32_t y) const { Lanes::store(packed(y), values + offset); }
+
+  // The same of pixels of several samples: bit i is value i; or all of them.
+  template <uint32_t kSamples, bool kIsFull>
   [[gnu::always_inline]] void write_samples(int32_t offset, int32_t y, uint32_t bits) const {
-    write_vectors<kSamples>(values + offset, packed(y), bits, std::make_integer_sequence<uint32_t, kSamples>());
+    write_vectors<kSamples, kIsFull>(values + offset, packed(y), bits,
+                                     std::make_integer_sequence<uint32_t, kSamples>());
   }
 
  private:
@@ -53,17 +57,21 @@ struct ColorRows {
     return packed_color<Lanes>(program, data, reciprocal_w, x_from_anchor, static_cast<float>(y - anchor_y));
   }
 
-  template <uint32_t kSamples, uint32_t... kVectors>
+  template <uint32_t kSamples, bool kIsFull, uint32_t... kVectors>
   [[gnu::always_inline]] static void write_vectors(uint32_t* stored, const typename Lanes::Int& packed, uint32_t bits,
                                                    std::integer_sequence<uint32_t, kVectors...> /*all*/) {
-    (write_vector(stored + size_t{kVectors} * Lanes::kWidth, Lanes::template repeated<kSamples, kVectors>(packed),
-                  bits >> (kVectors * Lanes::kWidth)),
+    (write_vector<kIsFull>(stored + size_t{kVectors} * Lanes::kWidth,
+                           Lanes::template repeated<kSamples, kVectors>(packed), bits >> (kVectors * Lanes::kWidth)),
      ...);
   }
 
-  [[gnu::always_inline]] static void write_vector(uint32_t* stored, const typename Lanes::Int& packed,
-                                                  uint32_t bits) {
-    Lanes::store(Lanes::mask_of(bits) ? packed : Lanes::load(stored), stored);
+  template <bool kIsFull>
+  [[gnu::always_inline]] static void write_vector(uint32_t* stored, const typename Lanes::Int& packed, uint32_t bits) {
+    if constexpr (kIsFull) {
+      Lanes::store(packed, stored);
+    } else {
+      Lanes::store(Lanes::mask_of(bits) ? packed : Lanes::load(stored), stored);
+    }
   }
 
   const P& program;

@@ -71,6 +71,12 @@ struct ScalarLanes {
   static Mask mask_of(uint32_t bits) { return (bits & 1U) != 0; }
   static uint32_t bits_of(Mask mask) { return mask ? 1 : 0; }
 
+  // Four values of 0 to 255, to the nearest whole ones, ties to even, as the bytes of each lane, the first one lowest.
+  static Int packed_bytes(Float a, Float b, Float c, Float d) {
+    const auto byte = [](Float value) { return bits_of(value + 0x1.8p23F) & 0xFF; };  // no bit is left for a fraction
+    return byte(a) | byte(b) << 8 | byte(c) << 16 | static_cast<Int>(static_cast<uint32_t>(byte(d)) << 24U);
+  }
+
   // Lane i of kPart's vector gets lane (kPart * kWidth + i) / kTimes: each lane kTimes, over kTimes vectors.
   template <uint32_t kTimes, uint32_t kPart>
   static Int repeated(Int value) {
@@ -218,6 +224,28 @@ struct VectorLanes {
     // The product moves one bit of each byte to the top byte.
     return static_cast<uint32_t>((low_bytes(value < 0) & kOneOfEach) * kEachByte >> 56U);
 #endif
+  }
+
+  [[gnu::always_inline]] static Int packed_bytes(const Float& a, const Float& b, const Float& c, const Float& d) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 32) {
+      using Words = typename SimdVector<int16_t, 32>::Type;
+      const Words ab = __builtin_ia32_packssdw256(__builtin_ia32_cvtps2dq256(a), __builtin_ia32_cvtps2dq256(b));
+      const Words cd = __builtin_ia32_packssdw256(__builtin_ia32_cvtps2dq256(c), __builtin_ia32_cvtps2dq256(d));
+      // In each half of the vector four bytes of each value follow those of the last.
+      using Chars = typename SimdVector<char, 32>::Type;
+      const Chars order{0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15,
+                        0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
+      const Chars bytes = __builtin_ia32_pshufb256(__builtin_ia32_packuswb256(ab, cd), order);
+      return reinterpret_cast<const Int&>(bytes);
+    }
+#endif
+    const auto bits = [](const Float& value) __attribute__((always_inline)) { return bits_of(value + all(0x1.8p23F)); };
+    // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.
+    constexpr uint32_t kNoFraction = 0x4B400000;
+    constexpr auto kRest =
+        static_cast<int32_t>(kNoFraction ^ kNoFraction << 8U ^ kNoFraction << 16U ^ kNoFraction << 24U);
+    return bits(a) ^ bits(b) << 8 ^ bits(c) << 16 ^ bits(d) << 24 ^ kRest;
   }
 
   template <uint32_t kTimes, uint32_t kPart>

@@ -37,14 +37,16 @@ struct Shader {
     const TileAttachments::Block values = attachments.block(block.x, block.y);
     uint64_t landed = block.mask;
     if (draw.depth.is_usual()) {
-      landed = landed_pixels<true>(block, values.depths);
+      landed = block.mask == kFullMask ? landed_pixels<true, true>(block, values.depths)
+                                       : landed_pixels<true, false>(block, values.depths);
     } else if (draw.depth.tests()) {
-      landed = landed_pixels<false>(block, values.depths);
-    }
-    if (landed == 0) {
-      return;
+      landed = landed_pixels<false, false>(block, values.depths);
     }
     if constexpr (ColorProgram<P>) {
+      if (landed == kFullMask) {
+        write_full_block(block, values.colors);
+        return;
+      }
       for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
         const ColorRows<L, P> colors(*this, block.x + column, values.colors + column);
         const uint64_t own = landed & column_mask(column);
@@ -92,7 +94,7 @@ struct Shader {
   }
 
   // Those of a block's pixels that pass the depth test, which is done.
-  template <bool kIsUsual>
+  template <bool kIsUsual, bool kIsFull>
   [[gnu::always_inline]] uint64_t landed_pixels(const CoverageBlock& block, float* depths) const {
     const WindowPlane depth = interpolation.depth_framebuffer;
     const DepthStage stage = draw.depth;
@@ -101,7 +103,7 @@ struct Shader {
       const auto xs = L::to_double(L::numbers() + (block.x + column - interpolation.anchor_x));
       const auto depth_column = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
       for (int32_t row = 0; row < kBlockSize; ++row) {
-        const uint32_t bits = bits_at(block.mask, column, row);
+        const uint32_t bits = kIsFull ? kAllLanes : bits_at(block.mask, column, row);
         if (bits == 0) {
           continue;
         }
@@ -115,6 +117,15 @@ struct Shader {
       }
     }
     return landed;
+  }
+
+  [[gnu::always_inline]] void write_full_block(const CoverageBlock& block, uint32_t* colors) const {
+    for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
+      const ColorRows<L, P> rows(*this, block.x + column, colors + column);
+      for (int32_t row = 0; row < kBlockSize; ++row) {
+        rows.write_all(row * kBlockSize, block.y + row);
+      }
+    }
   }
 
   // The samples of as many pixels as there are lanes lie in kSamples vectors side by side.
@@ -132,9 +143,11 @@ struct Shader {
       for (int32_t row = 0; row < kBlockSize; ++row) {
         constexpr uint32_t kAllSamples = ~0U >> (32 - L::kWidth * kSamples);
         const uint32_t bits = landed[static_cast<size_t>(row)] >> (column * kSamples) & kAllSamples;
-        if (bits != 0) {
-          colors.template write_samples<kSamples>(row * kBlockSize * static_cast<int32_t>(kSamples), block.y + row,
-                                                  bits);
+        const int32_t offset = row * kBlockSize * static_cast<int32_t>(kSamples);
+        if (bits == kAllSamples) {
+          colors.template write_samples<kSamples, true>(offset, block.y + row, bits);
+        } else if (bits != 0) {
+          colors.template write_samples<kSamples, false>(offset, block.y + row, bits);
         }
       }
     }
@@ -143,28 +156,43 @@ struct Shader {
   // Leaves those of a block's samples that pass the depth test, which is done.
   template <uint32_t kSamples, bool kIsUsual>
   [[gnu::always_inline]] void test_samples(const SampledBlock& block, float* depths, SampleRows& samples) const {
+    constexpr uint32_t kVectors = kBlockSize * kSamples / L::kWidth;
     const WindowPlane depth = interpolation.depth_framebuffer;
-    const DepthStage stage = draw.depth;
-    const auto offsets_y = L::load(draw.sample_offsets_y.data());
-    for (uint32_t first = 0; first < kBlockSize * kSamples; first += L::kWidth) {
+    std::array<typename L::Double, kVectors> columns;
+    for (uint32_t vector = 0; vector < kVectors; ++vector) {
       const auto xs = L::all(static_cast<double>(block.x - interpolation.anchor_x)) +
-                      L::load(draw.sample_offsets_x.data() + first);
-      const auto depth_column = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
-      for (uint32_t row = 0; row < kBlockSize; ++row) {
-        const uint32_t bits = samples[row] >> first & kAllLanes;
-        if (bits == 0) {
-          continue;
-        }
-        float* const stored_depth = depths + row * kBlockSize * kSamples + first;
-        typename L::Float stored = L::load(stored_depth);
-        const auto ys =
-            L::all(static_cast<double>(block.y + static_cast<int32_t>(row) - interpolation.anchor_y)) + offsets_y;
-        const typename L::Mask mask =
-            stage.template lands<L, kIsUsual>(depth_column + L::all(depth.step_y) * ys, L::mask_of(bits), stored);
-        L::store(stored, stored_depth);
-        samples[row] &= ~((bits ^ L::bits_of(mask)) << first);
-      }
+                      L::load(draw.sample_offsets_x.data() + size_t{vector} * L::kWidth);
+      columns[vector] = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
     }
+    const auto offsets_y = L::load(draw.sample_offsets_y.data());
+    for (uint32_t row = 0; row < kBlockSize; ++row) {
+      if (samples[row] == 0) {
+        continue;
+      }
+      const auto ys =
+          L::all(static_cast<double>(block.y + static_cast<int32_t>(row) - interpolation.anchor_y)) + offsets_y;
+      const auto depth_row = L::all(depth.step_y) * ys;
+      float* const row_depths = depths + row * kBlockSize * kSamples;
+      samples[row] = samples[row] == ~0U ? test_row<kIsUsual, true>(columns, depth_row, row_depths, ~0U)
+                                         : test_row<kIsUsual, false>(columns, depth_row, row_depths, samples[row]);
+    }
+  }
+
+  // The same of a row of samples: `columns` and `row` are what the depth is the sum of.
+  template <bool kIsUsual, bool kIsFull, size_t kVectors>
+  [[gnu::always_inline]] uint32_t test_row(const std::array<typename L::Double, kVectors>& columns,
+                                           const typename L::Double& row, float* depths, uint32_t bits) const {
+    const DepthStage stage = draw.depth;
+    uint32_t landed = 0;
+    for (uint32_t vector = 0; vector < kVectors; ++vector) {
+      float* const stored_depth = depths + vector * L::kWidth;
+      typename L::Float stored = L::load(stored_depth);
+      const typename L::Mask mask = stage.template lands<L, kIsUsual>(
+          columns[vector] + row, L::mask_of(kIsFull ? kAllLanes : bits >> (vector * L::kWidth)), stored);
+      L::store(stored, stored_depth);
+      landed |= L::bits_of(mask) << (vector * L::kWidth);
+    }
+    return landed;
   }
 
   [[nodiscard]] WindowOffset location(uint32_t sample) const { return draw.sample_locations[sample].from_centre(); }
