@@ -66,7 +66,8 @@ struct ColorRows {
   }
 
   template <bool kIsFull>
-  [[gnu::always_inline]] static void write_vector(uint32_t* stored, const typename Lanes::Int& packed, uint32_t bits) {
+  [[gnu::always_inline]] static void write_vector(uint32_t* stored, const typename Lanes::Int& packed,
+                                                  uint32_t bits) {
     if constexpr (kIsFull) {
       Lanes::store(packed, stored);
     } else {

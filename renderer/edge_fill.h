@@ -18,7 +18,8 @@ namespace fillrule::renderer::internal {
 inline constexpr uint64_t kFullMask = ~uint64_t{0};
 
 // The pixels of the 8x8 block at (x, y) that are in a rectangle which reaches into it.
-[[gnu::always_inline]] inline uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
+// Seldom asked for, so it is kept out of the way.
+[[gnu::noinline]] inline uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
   const auto low = [](int32_t begin) { return static_cast<uint32_t>(std::max(begin, 0)); };
   const auto high = [](int32_t end) { return static_cast<uint32_t>(kBlockSize - std::min(end, kBlockSize)); };
   constexpr uint64_t kFirstColumn = 0x0101010101010101U;
@@ -247,11 +248,12 @@ template <typename L, size_t kSamples, typename Visit>
 template <typename Coverage>
 inline constexpr size_t kSamplesOf = std::is_same_v<Coverage, TileCoverage> ? 1 : kMaxSamples;
 
-// cover() of coverage.h of a triangle that is narrow; false, and nothing done, if it is not.
+// cover() of coverage.h of a triangle that is narrow; false, and nothing done, if it is not. `rect` is the part of
+// the bounding box that lies in `limits` and in the tile: no sample outside of the box is inside of the edges.
 template <typename L, typename Coverage>
 [[gnu::always_inline]] inline bool cover_narrow(const std::array<FixedPosition, 3>& triangle,
                                                 std::span<const SampleArea> samples, uint32_t subpixel_bits,
-                                                const PixelRect& rect, Coverage& coverage) {
+                                                const PixelRect& rect, const PixelRect& limits, Coverage& coverage) {
   constexpr size_t kSamples = kSamplesOf<Coverage>;
   const FixedPosition a = triangle[0];
   FixedPosition b = triangle[1];
@@ -268,9 +270,11 @@ template <typename L, typename Coverage>
   }
   const PixelRect blocks = touched_blocks(rect);
   const Piece<kSamples> piece = make_piece<kSamples>(a, b, c, samples, subpixel_bits, blocks, kNarrowFar);
-  fill_narrow<L, kSamples>(piece, blocks, samples,
-                           [&](int32_t x, int32_t y, const SampleMasks<kSamples>& masks)
-                               __attribute__((always_inline)) { add_block(x, y, masks, rect, samples, coverage); });
+  fill_narrow<L, kSamples>(
+      piece, blocks,
+      samples, [&](int32_t x, int32_t y, const SampleMasks<kSamples>& masks) __attribute__((always_inline)) {
+        add_block(x, y, masks, limits, samples, coverage);
+      });
   return true;
 }
 

@@ -70,8 +70,14 @@ struct ScalarLanes {
   static uint32_t sign_bits(Int value) { return static_cast<uint32_t>(value) >> 31U; }
   static Mask mask_of(uint32_t bits) { return (bits & 1U) != 0; }
   static uint32_t bits_of(Mask mask) { return mask ? 1 : 0; }
+  // The bits from kFirst on.
+  template <uint32_t kFirst>
+  static Mask mask_from(uint64_t bits) {
+    return mask_of(static_cast<uint32_t>(bits >> kFirst));
+  }
 
-  // Four values of 0 to 255, to the nearest whole ones, ties to even, as the bytes of each lane, the first one lowest.
+  // Four values of 0 to 255, to the nearest whole ones, ties to even, as the bytes of each lane, the first one
+  // lowest.
   static Int packed_bytes(Float a, Float b, Float c, Float d) {
     const auto byte = [](Float value) { return bits_of(value + 0x1.8p23F) & 0xFF; };  // no bit is left for a fraction
     return byte(a) | byte(b) << 8 | byte(c) << 16 | static_cast<Int>(static_cast<uint32_t>(byte(d)) << 24U);
@@ -213,6 +219,16 @@ struct VectorLanes {
   [[gnu::always_inline]] static uint32_t bits_of(const Mask& mask) {
     return sign_bits(mask);
   }
+  template <uint32_t kFirst>
+  [[gnu::always_inline]] static Mask mask_from(uint64_t bits) {
+    if constexpr (kFloatBytes == 16) {
+      return mask_of(static_cast<uint32_t>(bits >> kFirst));
+    } else {
+      // Each lane moves its own bit to the sign.
+      const auto half = static_cast<int32_t>(bits >> (kFirst & 32U));
+      return (((half + Int{}) << (31 - static_cast<int32_t>(kFirst & 31U) - numbers())) < 0);
+    }
+  }
   [[gnu::always_inline]] static uint32_t sign_bits(const Int& value) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
     if constexpr (kFloatBytes == 16) {
@@ -240,7 +256,9 @@ struct VectorLanes {
       return reinterpret_cast<const Int&>(bytes);
     }
 #endif
-    const auto bits = [](const Float& value) __attribute__((always_inline)) { return bits_of(value + all(0x1.8p23F)); };
+    const auto bits = [](const Float& value) __attribute__((always_inline)) {
+      return bits_of(value + all(0x1.8p23F));
+    };
     // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.
     constexpr uint32_t kNoFraction = 0x4B400000;
     constexpr auto kRest =

@@ -89,7 +89,10 @@ std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const Asse
   if (!front_facing) {
     return std::nullopt;
   }
-  SetupPrimitive filled{.vertices = polygon->vertices, .indices = triangle.indices, .primitive = triangle.number, .front_facing = *front_facing};
+  SetupPrimitive filled{.vertices = polygon->vertices,
+                        .indices = triangle.indices,
+                        .primitive = triangle.number,
+                        .front_facing = *front_facing};
   filled.set_bounds(bounds);
   filled.set_outline(polygon->clipped.span(), polygon_vertices);
   return filled;
@@ -115,8 +118,7 @@ std::optional<SetupPrimitive> setup_whole_triangle(const SetupState& state, uint
   if (doubled == 0 || !front_facing) {
     return std::nullopt;
   }
-  SetupPrimitive filled{
-      .vertices = vertices, .indices = indices, .primitive = number, .front_facing = *front_facing};
+  SetupPrimitive filled{.vertices = vertices, .indices = indices, .primitive = number, .front_facing = *front_facing};
   filled.set_bounds(bounds);
   return filled;
 }

@@ -35,7 +35,7 @@ struct SetupState {
 
 // A primitive as it is assembled, with all there is of its vertices. A line or a point repeats its last.
 struct AssembledPrimitive {
-  uint32_t number = 0;  // counted within the draw
+  uint32_t number = 0;                // counted within the draw
   std::array<uint32_t, 3> indices{};  // its vertices among those of the draw, the provoking one first
   std::array<ClipPosition, 3> positions_clip{};
   std::array<WindowVertex, 3> window_vertices{};
@@ -51,9 +51,9 @@ struct AssembledPrimitive {
 struct SetupPrimitive {
   std::array<FixedPosition, 3> vertices;
   std::array<uint32_t, 3> indices{};  // see AssembledPrimitive
-  uint32_t primitive = 0;       // counted within the draw
-  uint32_t polygon_offset = 0;  // of an outline that is no triangle, in the list of polygon vertices
-  uint16_t left = 0;            // the pixels it may touch, within SetupState::clip_pixels
+  uint32_t primitive = 0;             // counted within the draw
+  uint32_t polygon_offset = 0;        // of an outline that is no triangle, in the list of polygon vertices
+  uint16_t left = 0;                  // the pixels it may touch, within SetupState::clip_pixels
   uint16_t top = 0;
   uint16_t right = 0;
   uint16_t bottom = 0;

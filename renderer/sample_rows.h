@@ -23,8 +23,13 @@ inline constexpr auto kSpreadByte = [] {
 }();
 
 // The block's samples that are in the mask.
-inline SampleRows sample_rows(const SampledBlock& block, uint32_t sample_mask) {
+[[gnu::always_inline]] inline SampleRows sample_rows(const SampledBlock& block, uint32_t sample_mask) {
   SampleRows rows{};
+  if ((sample_mask & 0xFU) == 0xFU &&
+      (block.masks[0] & block.masks[1] & block.masks[2] & block.masks[3]) == ~uint64_t{0}) {
+    rows.fill(~0U);
+    return rows;
+  }
   for (uint32_t sample = 0; sample < 4; ++sample) {
     const uint64_t mask = (sample_mask >> sample & 1U) != 0 ? block.masks[sample] : 0;
     for (uint32_t row = 0; row < kBlockSize; ++row) {

@@ -97,26 +97,54 @@ struct Shader {
   template <bool kIsUsual, bool kIsFull>
   [[gnu::always_inline]] uint64_t landed_pixels(const CoverageBlock& block, float* depths) const {
     const WindowPlane depth = interpolation.depth_framebuffer;
-    const DepthStage stage = draw.depth;
     uint64_t landed = 0;
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
       const auto xs = L::to_double(L::numbers() + (block.x + column - interpolation.anchor_x));
       const auto depth_column = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
-      for (int32_t row = 0; row < kBlockSize; ++row) {
-        const uint32_t bits = kIsFull ? kAllLanes : bits_at(block.mask, column, row);
-        if (bits == 0) {
-          continue;
-        }
-        float* const stored_depth = depths + row * kBlockSize + column;
-        typename L::Float stored = L::load(stored_depth);
-        const double depth_row = depth.step_y * (block.y + row - interpolation.anchor_y);
-        const typename L::Mask mask =
-            stage.template lands<L, kIsUsual>(depth_column + L::all(depth_row), L::mask_of(bits), stored);
-        L::store(stored, stored_depth);
-        landed |= uint64_t{L::bits_of(mask)} << (row * kBlockSize + column);
+      const auto test_row = [&]<int32_t kRow>() __attribute__((always_inline)) {
+        const double depth_row = depth.step_y * (block.y + kRow - interpolation.anchor_y);
+        const typename L::Mask mask = kIsFull ? L::mask_of(kAllLanes) : row_mask<kRow>(block.mask, column);
+        landed |= uint64_t{test_depths<kIsUsual>(depth_column + L::all(depth_row), mask,
+                                                 depths + kRow * kBlockSize + column)}
+                  << (kRow * kBlockSize + column);
+      };
+      // Of half a block a row more costs less than to guess wrong which of them are empty.
+      if (kIsFull || static_cast<uint32_t>(block.mask) != 0) {
+        test_row.template operator()<0>();
+        test_row.template operator()<1>();
+        test_row.template operator()<2>();
+        test_row.template operator()<3>();
+      }
+      if (kIsFull || block.mask >> 32U != 0) {
+        test_row.template operator()<4>();
+        test_row.template operator()<5>();
+        test_row.template operator()<6>();
+        test_row.template operator()<7>();
       }
     }
     return landed;
+  }
+
+  // A row of a block's mask, from the column on.
+  template <int32_t kRow>
+  [[gnu::always_inline]] static typename L::Mask row_mask(uint64_t mask, int32_t column) {
+    constexpr auto kFirst = static_cast<uint32_t>(kRow * kBlockSize);
+    if constexpr (L::kWidth == kBlockSize) {
+      return L::template mask_from<kFirst>(mask);
+    } else {
+      return L::template mask_from<kFirst>(mask >> static_cast<uint32_t>(column));
+    }
+  }
+
+  // Which of the values pass the depth test, of those in the mask.
+  template <bool kIsUsual>
+  [[gnu::always_inline]] uint32_t test_depths(const typename L::Double& depth_framebuffer,
+                                              const typename L::Mask& values, float* stored_depths) const {
+    const DepthStage stage = draw.depth;
+    typename L::Float stored = L::load(stored_depths);
+    const typename L::Mask mask = stage.template lands<L, kIsUsual>(depth_framebuffer, values, stored);
+    L::store(stored, stored_depths);
+    return L::bits_of(mask);
   }
 
   [[gnu::always_inline]] void write_full_block(const CoverageBlock& block, uint32_t* colors) const {
@@ -182,15 +210,11 @@ struct Shader {
   template <bool kIsUsual, bool kIsFull, size_t kVectors>
   [[gnu::always_inline]] uint32_t test_row(const std::array<typename L::Double, kVectors>& columns,
                                            const typename L::Double& row, float* depths, uint32_t bits) const {
-    const DepthStage stage = draw.depth;
     uint32_t landed = 0;
     for (uint32_t vector = 0; vector < kVectors; ++vector) {
-      float* const stored_depth = depths + vector * L::kWidth;
-      typename L::Float stored = L::load(stored_depth);
-      const typename L::Mask mask = stage.template lands<L, kIsUsual>(
-          columns[vector] + row, L::mask_of(kIsFull ? kAllLanes : bits >> (vector * L::kWidth)), stored);
-      L::store(stored, stored_depth);
-      landed |= L::bits_of(mask) << (vector * L::kWidth);
+      const uint32_t first = vector * L::kWidth;
+      const typename L::Mask values = L::mask_of(kIsFull ? kAllLanes : bits >> first);
+      landed |= test_depths<kIsUsual>(columns[vector] + row, values, depths + first) << first;
     }
     return landed;
   }
@@ -267,8 +291,8 @@ inline void set_anchor(const PixelRect& tile_pixels, ShadedPrimitive& primitive)
 template <Program P>
 [[gnu::always_inline]] inline void prefetch(const P& program, const std::vector<ClipPosition>& positions_clip,
                                             const TileEntries& entries) {
-  constexpr size_t kFar = 16;
-  constexpr size_t kNear = 8;  // has arrived since it was far
+  constexpr size_t kFar = 48;
+  constexpr size_t kNear = 24;  // has arrived since it was far
   if (const SetupPrimitive* const far = entries.ahead(kFar)) {
     __builtin_prefetch(far);
     __builtin_prefetch(&far->front_facing);  // its end, which may be in another line of the cache
@@ -297,26 +321,33 @@ class ShadingQueue {
         tile_pixels_(tile_pixels),
         attachments_(attachments) {}
 
-  [[gnu::always_inline]] void add(const SetupPrimitive& primitive, const std::vector<FixedPosition>& polygon_vertices) {
+  [[gnu::always_inline]] void add(const SetupPrimitive& primitive,
+                                  const std::vector<FixedPosition>& polygon_vertices) {
     const PixelRect rect = intersection(primitive.bounds(), tile_pixels_);
     if (rect.empty()) {
       return;
     }
     const std::span<const FixedPosition> outline = primitive.outline(polygon_vertices);
-    entries_[count_] = {&primitive, outline, coverage_.count};
+    Entry& entry = entries_[count_];
+    entry.primitive = &primitive;
+    entry.outline = outline;
+    entry.first_block = coverage_.count;
     const bool is_triangle = primitive.polygon_count == 0 && draw_.coverage_rule.fill == Fill::kEdgeFunction;
-    if (!is_triangle ||
-        !cover_narrow<L>(primitive.vertices, draw_.samples(), draw_.subpixel_bits, rect, coverage_)) {
+    if (!is_triangle || !cover_narrow<L>(primitive.vertices, draw_.samples(), draw_.subpixel_bits, rect,
+                                         draw_.setup.clip_pixels, coverage_)) {
       cover(draw_, outline, rect, coverage_);
     }
-    count_ += coverage_.count != entries_[count_].first_block ? 1 : 0;
+    count_ += coverage_.count != entry.first_block ? 1 : 0;
     if (count_ == kMaxEntries || coverage_.count > kMaxBlocks) {
       shade();
     }
   }
 
-  // Whatever waits.
+  // Whatever waits: first the planes of all of them, whose long chains of operations then overlap.
   [[gnu::always_inline]] void shade() {
+    for (uint32_t i = 0; i < count_; ++i) {
+      set_up(entries_[i]);
+    }
     for (uint32_t i = 0; i < count_; ++i) {
       shade(entries_[i], i + 1 < count_ ? entries_[i + 1].first_block : coverage_.count);
     }
@@ -332,24 +363,26 @@ class ShadingQueue {
     const SetupPrimitive* primitive = nullptr;
     std::span<const FixedPosition> outline;
     uint32_t first_block = 0;
+    PrimitiveInterpolation interpolation;
+    ShadedPrimitive shaded;
+    typename P::PrimitiveData data;
+    VaryingPlane reciprocal_w;
   };
 
+  [[gnu::always_inline]] void set_up(Entry& entry) const {
+    entry.interpolation = make_interpolation(draw_, *entry.primitive, positions_clip_, entry.outline);
+    entry.shaded = {.primitive = entry.primitive->primitive,
+                    .vertices = entry.primitive->indices,
+                    .front_facing = entry.primitive->front_facing,
+                    .interpolation = &entry.interpolation};
+    set_anchor(tile_pixels_, entry.shaded);
+    entry.data = program_.primitive_data(entry.shaded);
+    entry.reciprocal_w = reciprocal_w_plane(entry.interpolation, entry.shaded.anchor_x, entry.shaded.anchor_y);
+  }
+
   [[gnu::always_inline]] void shade(const Entry& entry, uint32_t end_block) const {
-    const PrimitiveInterpolation interpolation =
-        make_interpolation(draw_, *entry.primitive, positions_clip_, entry.outline);
-    ShadedPrimitive shaded{.primitive = entry.primitive->primitive,
-                           .vertices = entry.primitive->indices,
-                           .front_facing = entry.primitive->front_facing,
-                           .interpolation = &interpolation};
-    set_anchor(tile_pixels_, shaded);
-    const typename P::PrimitiveData data = program_.primitive_data(shaded);
-    const Shader<L, P> shader{draw_,
-                              program_,
-                              data,
-                              shaded,
-                              interpolation,
-                              reciprocal_w_plane(interpolation, shaded.anchor_x, shaded.anchor_y),
-                              attachments_};
+    const Shader<L, P> shader{
+        draw_, program_, entry.data, entry.shaded, entry.interpolation, entry.reciprocal_w, attachments_};
     for (uint32_t block = entry.first_block; block < end_block; ++block) {
       shader.shade(coverage_.blocks[block]);
     }
