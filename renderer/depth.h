@@ -119,7 +119,8 @@ class DepthStage {
                                                 typename L::Mask fragments, typename L::Float& stored) const {
     if constexpr (kIsUsual) {
       const typename L::Float depth = clamped_depth<L>(depth_framebuffer);
-      fragments = fragments & (depth < stored);
+      const typename L::Mask passes = depth < stored;
+      fragments = fragments & passes;
       stored = fragments ? depth : stored;
       return fragments;
     }
