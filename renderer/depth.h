@@ -119,13 +119,13 @@ class DepthStage {
                                                 typename L::Mask fragments, typename L::Float& stored) const {
     if constexpr (kIsUsual) {
       const typename L::Float depth = clamped_depth<L>(depth_framebuffer);
-      const typename L::Mask passes = depth < stored;
-      fragments = fragments & passes;
+      fragments &= depth < stored;
       stored = fragments ? depth : stored;
       return fragments;
     }
     if (bounds_test_) {
-      fragments = fragments & (stored >= L::all(bounds_.min)) & (stored <= L::all(bounds_.max));
+      fragments &= stored >= L::all(bounds_.min);
+      fragments &= stored <= L::all(bounds_.max);
     }
     if (!test_) {
       return fragments;
