@@ -37,7 +37,8 @@ struct VaryingPlane {
   float step_y;
 
   template <typename L>
-  [[gnu::always_inline]] typename L::Float at(const typename L::Float& x, const typename L::Float& y) const {
+  [[nodiscard, gnu::always_inline]] typename L::Float at(const typename L::Float& x,
+                                                         const typename L::Float& y) const {
     return L::all(at_anchor) + L::all(step_x) * x + L::all(step_y) * y;
   }
 };
@@ -53,7 +54,7 @@ struct FragmentLanes {
   typename L::Float w;  // clip space; smooth varyings are divided by it
 
   // A smooth varying, perspective-correct.
-  [[gnu::always_inline]] Color<L> smooth(const VaryingPlanes& planes) const {
+  [[nodiscard, gnu::always_inline]] Color<L> smooth(const VaryingPlanes& planes) const {
     return {at<0>(planes) * w, at<1>(planes) * w, at<2>(planes) * w, at<3>(planes) * w};
   }
   [[gnu::always_inline]] static Color<L> flat(const Vec4& value) {
@@ -62,7 +63,7 @@ struct FragmentLanes {
 
  private:
   template <size_t kComponent>
-  [[gnu::always_inline]] typename L::Float at(const VaryingPlanes& planes) const {
+  [[nodiscard, gnu::always_inline]] typename L::Float at(const VaryingPlanes& planes) const {
     const VaryingPlane plane{planes.at_anchor[kComponent], planes.step_x[kComponent], planes.step_y[kComponent]};
     return plane.template at<L>(x, y);
   }

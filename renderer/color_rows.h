@@ -25,36 +25,39 @@ template <typename Lanes, ColorProgram P>
 // The colours of one primitive in a column of rows of lanes, from x to the right. It holds copies: stores to the
 // attachment cannot change those, so that what all rows share is computed once.
 template <typename Lanes, ColorProgram P>
-struct ColorRows {
+class ColorRows {
+ public:
   // `first`: the column's first value.
   template <typename Shader>
   [[gnu::always_inline]] ColorRows(const Shader& shader, int32_t x, uint32_t* first)
-      : program(shader.program),
-        data(shader.data),
-        reciprocal_w(shader.reciprocal_w),
-        anchor_y(shader.primitive.anchor_y),
-        x_from_anchor(Lanes::to_float(Lanes::numbers() + (x - shader.primitive.anchor_x))),
-        values(first) {}
+      : x_from_anchor_(Lanes::to_float(Lanes::numbers() + (x - shader.primitive.anchor_x))),
+        program_(shader.program),
+        values_(first),
+        data_(shader.data),
+        reciprocal_w_(shader.reciprocal_w),
+        anchor_y_(shader.primitive.anchor_y) {}
 
   // Of the fragments in the mask, so many values after the first row.
   [[gnu::always_inline]] void write(int32_t offset, int32_t y, const typename Lanes::Mask& mask) const {
-    uint32_t* const stored = values + offset;
+    uint32_t* const stored = values_ + offset;
     Lanes::store(mask ? packed(y) : Lanes::load(stored), stored);
   }
 
   // Of all of them.
-  [[gnu::always_inline]] void write_all(int32_t offset, int32_t y) const { Lanes::store(packed(y), values + offset); }
+  [[gnu::always_inline]] void write_all(int32_t offset, int32_t y) const {
+    Lanes::store(packed(y), values_ + offset);
+  }
 
   // The same of pixels of several samples: bit i is value i; or all of them.
   template <uint32_t kSamples, bool kIsFull>
   [[gnu::always_inline]] void write_samples(int32_t offset, int32_t y, uint32_t bits) const {
-    write_vectors<kSamples, kIsFull>(values + offset, packed(y), bits,
+    write_vectors<kSamples, kIsFull>(values_ + offset, packed(y), bits,
                                      std::make_integer_sequence<uint32_t, kSamples>());
   }
 
  private:
-  [[gnu::always_inline]] typename Lanes::Int packed(int32_t y) const {
-    return packed_color<Lanes>(program, data, reciprocal_w, x_from_anchor, static_cast<float>(y - anchor_y));
+  [[nodiscard, gnu::always_inline]] typename Lanes::Int packed(int32_t y) const {
+    return packed_color<Lanes>(program_, data_, reciprocal_w_, x_from_anchor_, static_cast<float>(y - anchor_y_));
   }
 
   template <uint32_t kSamples, bool kIsFull, uint32_t... kVectors>
@@ -75,12 +78,12 @@ struct ColorRows {
     }
   }
 
-  const P& program;
-  const typename P::PrimitiveData data;
-  VaryingPlane reciprocal_w;
-  int32_t anchor_y;
-  typename Lanes::Float x_from_anchor;
-  uint32_t* values;
+  typename Lanes::Float x_from_anchor_;
+  const P& program_;
+  uint32_t* values_;
+  const typename P::PrimitiveData data_;
+  VaryingPlane reciprocal_w_;
+  int32_t anchor_y_;
 };
 
 }  // namespace fillrule::renderer::internal

@@ -22,11 +22,11 @@ template <typename L, size_t kSamples>
 struct WideEdges {
   const Piece<kSamples>& piece;
 
-  [[gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
+  [[nodiscard, gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
     uint64_t outside = 0;
     for (const PieceEdge<kSamples>& edge : piece) {
       for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
-        const double start =
+        const auto start =
             static_cast<double>(edge.at[sample] + int64_t{x + column} * edge.step_x + int64_t{y} * edge.step_y);
         const auto values = L::all(start) + L::to_double(L::numbers()) * L::all(static_cast<double>(edge.step_x));
         for (int32_t row = 0; row < kBlockSize; ++row) {
@@ -38,7 +38,7 @@ struct WideEdges {
     return ~outside;
   }
 
-  [[gnu::always_inline]] BlockClasses classes(int32_t x, int32_t y) const {
+  [[nodiscard, gnu::always_inline]] BlockClasses classes(int32_t x, int32_t y) const {
     BlockClasses classes;
     for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
       for (const PieceEdge<kSamples>& edge : piece) {
@@ -85,8 +85,8 @@ struct PieceParity {
   [[nodiscard]] int32_t columns() const { return blocks.width() / kBlockSize; }
 
   void flip(int32_t x, int32_t y, size_t samples, const SampleMasks<kSamples>& piece) {
-    const auto block =
-        static_cast<size_t>((y - blocks.top) / kBlockSize * columns() + (x - blocks.left) / kBlockSize);
+    const int32_t number = (y - blocks.top) / kBlockSize * columns() + (x - blocks.left) / kBlockSize;
+    const auto block = static_cast<size_t>(number);
     if ((touched >> block & 1U) == 0) {
       touched |= uint64_t{1} << block;
       masks[block] = {};

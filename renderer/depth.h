@@ -143,13 +143,15 @@ class DepthStage {
   // clipping all of it may (Vulkan leaves those values open). -0 and NaN become the least depth. The ends of the
   // range are floats, so that rounding first changes nothing.
   template <typename L = ScalarLanes>
-  [[gnu::always_inline]] typename L::Float attachment_depth(const typename L::Double& depth_framebuffer) const {
+  [[nodiscard, gnu::always_inline]] typename L::Float attachment_depth(
+      const typename L::Double& depth_framebuffer) const {
     return quantized_depth<L>(max_code_, clamped_depth<L>(depth_framebuffer));
   }
 
  private:
   template <typename L>
-  [[gnu::always_inline]] typename L::Float clamped_depth(const typename L::Double& depth_framebuffer) const {
+  [[nodiscard, gnu::always_inline]] typename L::Float clamped_depth(
+      const typename L::Double& depth_framebuffer) const {
     return L::lesser(L::greater(L::to_float(depth_framebuffer), L::all(least_)), L::all(greatest_));
   }
 

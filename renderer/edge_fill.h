@@ -130,7 +130,7 @@ struct NarrowEdges {
         columns2(L::numbers() * the_piece[2].step_x) {}
 
   // The pixels whose sample is inside, of the block whose first pixel is at (x, y) from that of the rectangle.
-  [[gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
+  [[nodiscard, gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
     const auto start = [&](const PieceEdge<kSamples>& edge, int32_t column) __attribute__((always_inline)) {
       return static_cast<int32_t>(edge.at[sample]) + (x + column) * edge.step_x + y * edge.step_y;
     };
@@ -150,7 +150,7 @@ struct NarrowEdges {
   }
 
   // As many blocks as there are lanes, from the one at (x, y) on.
-  [[gnu::always_inline]] BlockClasses classes(int32_t x, int32_t y) const {
+  [[nodiscard, gnu::always_inline]] BlockClasses classes(int32_t x, int32_t y) const {
     const auto at_corner = [&](const PieceEdge<kSamples>& edge, int64_t corner) __attribute__((always_inline)) {
       return static_cast<int32_t>(corner) + x * edge.step_x + y * edge.step_y;
     };

@@ -12,7 +12,7 @@ namespace fillrule::renderer::internal {
 using SampleRows = std::array<uint32_t, kBlockSize>;
 
 // Bit i of a byte as bit 4 * i.
-inline constexpr auto kSpreadByte = [] {
+constexpr std::array<uint32_t, 256> spread_bytes() {
   std::array<uint32_t, 256> spread{};
   for (uint32_t byte = 0; byte < spread.size(); ++byte) {
     for (uint32_t bit = 0; bit < 8; ++bit) {
@@ -20,7 +20,8 @@ inline constexpr auto kSpreadByte = [] {
     }
   }
   return spread;
-}();
+}
+inline constexpr std::array<uint32_t, 256> kSpreadByte = spread_bytes();
 
 // The block's samples that are in the mask.
 [[gnu::always_inline]] inline SampleRows sample_rows(const SampledBlock& block, uint32_t sample_mask) {

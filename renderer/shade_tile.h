@@ -105,7 +105,7 @@ struct Shader {
         const double depth_row = depth.step_y * (block.y + kRow - interpolation.anchor_y);
         const typename L::Mask mask = kIsFull ? L::mask_of(kAllLanes) : row_mask<kRow>(block.mask, column);
         landed |= uint64_t{test_depths<kIsUsual>(depth_column + L::all(depth_row), mask,
-                                                 depths + kRow * kBlockSize + column)}
+                                                 depths + ptrdiff_t{kRow} * kBlockSize + column)}
                   << (kRow * kBlockSize + column);
       };
       // Of half a block a row more costs less than to guess wrong which of them are empty.
@@ -147,6 +147,7 @@ struct Shader {
     return L::bits_of(mask);
   }
 
+  // NOLINTNEXTLINE(readability-non-const-parameter): ColorRows writes
   [[gnu::always_inline]] void write_full_block(const CoverageBlock& block, uint32_t* colors) const {
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
       const ColorRows<L, P> rows(*this, block.x + column, colors + column);
@@ -167,7 +168,8 @@ struct Shader {
       test_samples<kSamples, false>(block, values.depths, landed);
     }
     for (uint32_t column = 0; column < kBlockSize; column += L::kWidth) {
-      const ColorRows<L, P> colors(*this, block.x + static_cast<int32_t>(column), values.colors + column * kSamples);
+      const ColorRows<L, P> colors(*this, block.x + static_cast<int32_t>(column),
+                                   values.colors + size_t{column} * kSamples);
       for (int32_t row = 0; row < kBlockSize; ++row) {
         constexpr uint32_t kAllSamples = ~0U >> (32 - L::kWidth * kSamples);
         const uint32_t bits = landed[static_cast<size_t>(row)] >> (column * kSamples) & kAllSamples;
@@ -200,7 +202,7 @@ struct Shader {
       const auto ys =
           L::all(static_cast<double>(block.y + static_cast<int32_t>(row) - interpolation.anchor_y)) + offsets_y;
       const auto depth_row = L::all(depth.step_y) * ys;
-      float* const row_depths = depths + row * kBlockSize * kSamples;
+      float* const row_depths = depths + size_t{row} * kBlockSize * kSamples;
       samples[row] = samples[row] == ~0U ? test_row<kIsUsual, true>(columns, depth_row, row_depths, ~0U)
                                          : test_row<kIsUsual, false>(columns, depth_row, row_depths, samples[row]);
     }

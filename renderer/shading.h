@@ -28,7 +28,8 @@ struct ShadedPrimitive {
   int32_t anchor_y = 0;
 
   // Of a smooth varying with these values at the three vertices.
-  [[gnu::always_inline]] VaryingPlanes smooth(const Vec4& value0, const Vec4& value1, const Vec4& value2) const {
+  [[nodiscard, gnu::always_inline]] VaryingPlanes smooth(const Vec4& value0, const Vec4& value1,
+                                                         const Vec4& value2) const {
     return smooth_planes(*interpolation, anchor_x, anchor_y, value0, value1, value2);
   }
 };

@@ -203,8 +203,11 @@ std::unique_ptr<PieceValues> outline_values(const Case& test_case, const Piece& 
                                ? polygon_bias(test_case, piece)
                                : optional_bias_range(*draw.state.depth_bias, test_case.target.depth_format,
                                                      point ? point->depths() : line->depths());
-    if (point) point->set_depth_bias(bias);
-    if (line) line->set_depth_bias(bias);
+    if (point) {
+      point->set_depth_bias(bias);
+    } else {
+      line->set_depth_bias(bias);
+    }
   }
   uint32_t component = 0;
   for (const Varying& varying : test_case.varyings) {
