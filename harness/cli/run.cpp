@@ -155,6 +155,11 @@ int run_cases(const RunCommandOptions& options) {
   suite.cases = run::cases_of(*shard, std::move(suite.cases));
   const std::vector<std::string>& references = options.parties.references;
   int exit_code = suite.errors.empty() ? kConforms : kBadInput;
+  // A shard without cases is in order, a suite without any is not.
+  if (shard->suite_cases == 0) {
+    print_error({.what = "there is no case to run", .hint = "'fillrule list' lists them all"});
+    return kBadInput;
+  }
   for (size_t i = 0; i < references.size(); ++i) {
     RunCommandOptions named = options;
     if (i > 0) named.output = with_suffix(options.output, references[i]);

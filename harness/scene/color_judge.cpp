@@ -83,8 +83,8 @@ class AllowedColors {
 
   static Value value_at(const exact::PieceValues& values, uint32_t component, double x, double y) {
     // NaN is within no tolerance, so that all of it is worked out.
-    const float nothing = std::numeric_limits<float>::quiet_NaN();
-    return {values.varying_for(component, nothing, x, y).value, values.varying_tolerance(component, x, y).total()};
+    const exact::Expected expected = values.varying_for(component, std::numeric_limits<float>::quiet_NaN(), x, y);
+    return {.value = expected.value, .error = expected.tolerance};
   }
 
   std::optional<SurfaceRange> range_of(uint32_t number, const exact::Piece& piece, double x, double y) {
