@@ -28,6 +28,7 @@ Reached match(std::string_view pattern, std::string_view text) {
       if (pattern[i] == '?' || pattern[i] == c) next[i + 1] = true;
     }
     reached = std::move(next);
+    if (std::find(reached.begin(), reached.end(), true) == reached.end()) break;
     skip_stars(pattern, reached);
   }
   return reached;

@@ -41,6 +41,10 @@ expect 2 '1 case: 1 passed' "$fillrule" run own
 expect 2 '2 errors in case files or selectors' "$fillrule" run own
 expect 2 'no_such_case' "$fillrule" run coverage/no_such_case
 expect 2 '1 error in case files or selectors' "$fillrule" run coverage/no_such_case
+if "$fillrule" run 'coverage/no_such_*' --timing 2>/dev/null | grep .; then
+  echo 'FAILED: a run without cases prints a table'
+  failures=$((failures + 1))
+fi
 expect 2 'Run with --help' "$fillrule" run --no-such-option
 expect 2 'subcommand' "$fillrule"
 expect 2 'there is no command "rnu"' "$fillrule" rnu own/good.toml

@@ -136,12 +136,17 @@ int run_against(const RunCommandOptions& options, const run::RunOptions& run_opt
   print_summary(options, result, deviations);
   const run::Stopwatch writing;
   const bool written = write_report(options, *runner, cases, result, deviations);
-  if (run_options.measure_alone) {
+  if (run_options.measure_alone && !cases.empty()) {
     fmt::print("{}", terminal::timing_text(result.timing, result.summary.cases, writing.seconds()));
   }
   for (const std::string& message : runner->validation_messages()) fmt::print(stderr, "validation: {}\n", message);
   if (!written || !known) return kBadInput;
   return has_failed(result, deviations, options.strict_reference) ? kMismatch : kConforms;
+}
+
+void tell_count(const std::vector<Error>& errors) {
+  if (errors.empty()) return;
+  fmt::print(stderr, "{} in case files or selectors\n", run::counted(errors.size(), "error"));
 }
 
 int run_cases(const RunCommandOptions& options) {
@@ -155,6 +160,11 @@ int run_cases(const RunCommandOptions& options) {
   suite.cases = run::cases_of(*shard, std::move(suite.cases));
   const std::vector<std::string>& references = options.parties.references;
   int exit_code = suite.errors.empty() ? kConforms : kBadInput;
+  // A shard without cases is in order; a suite without any is not, and the errors have said why.
+  if (shard->suite_cases == 0) {
+    tell_count(suite.errors);
+    return kBadInput;
+  }
   for (size_t i = 0; i < references.size(); ++i) {
     RunCommandOptions named = options;
     if (i > 0) named.output = with_suffix(options.output, references[i]);
@@ -170,9 +180,7 @@ int run_cases(const RunCommandOptions& options) {
       if (text) fmt::print("{}", *text);
     }
   }
-  if (!suite.errors.empty()) {
-    fmt::print(stderr, "{} in case files or selectors\n", run::counted(suite.errors.size(), "error"));
-  }
+  tell_count(suite.errors);
   return exit_code;
 }
 

@@ -217,7 +217,10 @@ class CaseJudge {
 
   void judge_sample(CaseVerdict& verdict, size_t index, bool count_sample) {
     candidate_.possible = &candidate_.replay.at(index);
-    if (reference_ != nullptr) reference_->possible = &reference_->replay.at(index);
+    if (reference_ != nullptr) {
+      const bool same = !reference_differs() && !candidate_.replay.used_rules();
+      reference_->possible = same ? candidate_.possible : &reference_->replay.at(index);
+    }
     const Possibilities& possible = *candidate_.possible;
     if (count_sample) verdict.covered_samples += possible.most_hits > 0 || possible.in_doubt ? 1 : 0;
     verdict.may_samples += possible.in_doubt ? 1 : 0;

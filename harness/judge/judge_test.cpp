@@ -176,6 +176,8 @@ TEST(Judge, AWrongOwnerIsToldFromAnOpenOne) {
   EXPECT_EQ(judge_pair(test_case, other, right).candidate_faults(), 0U);
   EXPECT_EQ(judge_pair(test_case, other, right, {.top_left = true}).candidate_faults(), 1U);
   EXPECT_EQ(judge_pair(test_case, other, right, {.same_bits = true}).candidate_faults(), 1U);
+  // A profile asks nothing of the reference.
+  EXPECT_EQ(judge_pair(test_case, right, other, {.top_left = true}).reference_faults(), 0U);
 }
 
 // Lavapipe finds the facing of unclipped triangles before it rounds positions if another triangle of the draw is
@@ -273,6 +275,27 @@ TEST(Judge, TheDepthTestDecidesWhoOwnsASample) {
   const CaseVerdict verdict = judge(layered, {.planes = &behind}, nullptr, {});
   EXPECT_EQ(plane(verdict, "owner").candidate_faults(), 1U);
   EXPECT_EQ(plane(verdict, "hits").candidate_faults(), 1U);
+}
+
+// Two layers that cross: along a row the same two primitives land, now the one in front, now the other.
+TEST(Judge, TheDepthTestIsAskedAtEverySample) {
+  Case test_case = square();
+  const Draw nearer_left = draw_of({at(1, 1, 0.25), at(15, 1, 0.75), at(8, 15, 0.5)});
+  const Draw nearer_right = draw_of({at(1, 1, 0.75), at(15, 1, 0.25), at(8, 15, 0.5)});
+  test_case.draws = {nearer_left};
+  Planes planes = perfect(test_case);
+  const Planes left = planes;
+  test_case.draws = {nearer_right};
+  const Planes right = perfect(test_case);
+  for (size_t i = 0; i < planes.hits.size(); ++i) {
+    if (i % kSize < kSize / 2 || planes.hits[i] == 0) continue;
+    planes.hits[i] = 2;
+    planes.owner[i] = 1;
+    planes.depth[i] = right.depth[i];
+  }
+  test_case.draws = {nearer_left, nearer_right};
+  EXPECT_EQ(judge(test_case, {.planes = &planes}, nullptr, {}).candidate_faults(), 0U);
+  EXPECT_GT(judge(test_case, {.planes = &left}, nullptr, {}).candidate_faults(), 0U);
 }
 
 TEST(Judge, TheSameGeometryDrawnTwiceHasTheSameDepth) {

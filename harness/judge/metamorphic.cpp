@@ -119,7 +119,7 @@ std::vector<size_t> differing_sums(const Planes& whole, const Planes& one, const
 class Checker {
  public:
   Checker(const Case& test_case, const CheckedParty& party, const Planes& original)
-      : case_(test_case), party_(party), original_(original) {}
+      : case_(test_case), party_(party), original_(original), bare_(without_depth_test(without_varyings(case_))) {}
 
   CheckResult run(std::string_view name) {
     if (name == "second_run") return second_run(name);
@@ -158,25 +158,24 @@ class Checker {
 
   CheckResult rotated_vertices(std::string_view name) {
     if (!draws_filled_triangles(case_)) return does_not_fit(name, kNotFilled);
-    return compare_coverage(name, as_triangle_list(case_, {1, 2, 0}));
+    return compare_coverage(name, as_triangle_list(bare_, {1, 2, 0}));
   }
 
   CheckResult flipped_winding(std::string_view name) {
     if (!draws_filled_triangles(case_)) return does_not_fit(name, kNotFilled);
-    return compare_coverage(name, with_front_faces_flipped(as_triangle_list(case_, {0, 2, 1})));
+    return compare_coverage(name, with_front_faces_flipped(as_triangle_list(bare_, {0, 2, 1})));
   }
 
   // Against the original without its depth test, drawn once for both checks that need it.
   CheckResult compare_coverage(std::string_view name, const Case& variant) {
     const Result<const Planes*> whole = without_depth_test_drawn();
     if (!whole) return failed(name, to_string(whole.error()));
-    return compare(name, without_depth_test(variant), 0,
-                   [&](const Planes& planes) { return differing_coverage(**whole, planes, true); });
+    return compare(name, variant, 0, [&](const Planes& planes) { return differing_coverage(**whole, planes, true); });
   }
 
   Result<const Planes*> without_depth_test_drawn() {
     if (!tests_depth(case_)) return &original_;
-    if (!without_depth_test_) without_depth_test_ = party_.draw(without_depth_test(case_), 0);
+    if (!without_depth_test_) without_depth_test_ = party_.draw(bare_, 0);
     if (!*without_depth_test_) return tl::unexpected(without_depth_test_->error());
     return &**without_depth_test_;
   }
@@ -184,7 +183,7 @@ class Checker {
   CheckResult partition(std::string_view name) {
     if (!party_.features.has(Feature::kClipDistances)) return does_not_fit(name, "it has no user clip distances");
     if (!draws_filled_triangles(case_)) return does_not_fit(name, kNotFilled);
-    Case one_side = without_depth_test(case_);
+    Case one_side = bare_;
     Case other_side = one_side;
     if (!add_cut(one_side, false) || !add_cut(other_side, true)) {
       return does_not_fit(name, "no clip distance is left");
@@ -245,6 +244,7 @@ class Checker {
   const Case& case_;
   const CheckedParty& party_;
   const Planes& original_;
+  const Case bare_;  // for the checks of coverage alone: without varyings and depth test
   std::optional<Result<Planes>> without_depth_test_;
 };
 

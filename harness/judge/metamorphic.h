@@ -4,7 +4,8 @@
 // - second_run: the same bytes once more (Vulkan specification, appendix "Invariance", repeatability).
 // - any_number_of_threads: the same bytes with other numbers of threads.
 // - rotated_vertices: each triangle's vertices moved on by one place: the same coverage, hits and owners. The depth
-//   test is off on both sides, because depths may differ in their last bits.
+//   test is off on both sides, because depths may differ in their last bits. Checks of coverage are drawn without
+//   varyings.
 // - flipped_winding: each triangle's second and third vertex swapped and the front face turned over: the same
 // coverage,
 //   hits, owners and facing, so the same triangles are culled.

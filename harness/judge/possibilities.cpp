@@ -29,6 +29,11 @@ bool has_values(const Piece& piece) {
   return !piece.thin && !piece.shape->undefined();
 }
 
+// Whether what is stored decides about what lands.
+bool depends_on_depth(const Draw& draw) {
+  return draw.state.depth_test || draw.state.depth_bounds.has_value();
+}
+
 // Drawn from the same bits with the same state, two triangles have the same depth to the bit.
 bool same_geometry(const Case& test_case, const Piece& a, const Piece& b) {
   if (a.triangle() == nullptr || b.triangle() == nullptr) return false;
@@ -60,12 +65,21 @@ Replay::Replay(const Case& test_case, const exact::Expectation& expectation, Val
       on_grid_(expectation.pieces().size(), 0) {}
 
 const Possibilities& Replay::at(size_t index) {
+  expectation_.collect(index, entries_);
+  used_rules_ = false;
+  const auto is_certain = [this](const Entry& entry) {
+    return entry.coverage == Coverage::kMust &&
+           !depends_on_depth(case_.draws[expectation_.pieces()[entry.piece].draw]);
+  };
+  const bool same_everywhere = std::ranges::all_of(entries_, is_certain);
+  if (same_everywhere && has_last_ && entries_ == last_entries_) return possibilities_;
+  last_entries_ = entries_;
+  has_last_ = same_everywhere;
   possibilities_.least_hits = 0;
   possibilities_.most_hits = 0;
   possibilities_.in_doubt = false;
   possibilities_.undefined = false;
   possibilities_.outcomes.assign(1, Outcome{.owner_certain = true, .depth_certain = true});
-  expectation_.collect(index, entries_);
   const auto [x, y] = exact::sample_place(case_.target, index).position;
   if (rules_.top_left || rules_.diamond_exit) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
@@ -119,6 +133,7 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
 void Replay::resolve_ties(double x, double y) {
   for (Entry& entry : entries_) {
     if (entry.coverage == Coverage::kMust || !resolved_on_grid(entry)) continue;
+    used_rules_ = true;
     // Nothing is rounded, so the facing is certain too.
     const Piece& piece = expectation_.pieces()[entry.piece];
     entry.coverage = !piece.culled && piece.shape->owns(x, y) ? Coverage::kMust : Coverage::kMustNot;

@@ -66,6 +66,8 @@ class Replay {
 
   // `index` is that of Planes. The result is valid until the next call.
   const Possibilities& at(size_t index);
+  // Whether the rules above decided about the sample asked for last; if not, they make no difference there.
+  [[nodiscard]] bool used_rules() const { return used_rules_; }
 
  private:
   enum class DepthResult : uint8_t { kFails, kPasses, kEither };
@@ -92,6 +94,10 @@ class Replay {
   std::vector<exact::Entry> entries_;
   std::vector<Outcome> before_;
   Possibilities possibilities_;
+  bool used_rules_ = false;
+  // What was asked for last, and whether the answer holds wherever the entries are the same.
+  std::vector<exact::Entry> last_entries_;
+  bool has_last_ = false;
 };
 
 }  // namespace fillrule::judge

@@ -76,8 +76,6 @@ RowJudge::Landing RowJudge::landing_of(uint32_t number) {
 bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
   if (sole != exact::kNothing) {
     if (landing_of(sole) != Landing::kCertain) return false;
-    // Several samples of a pixel are asked one by one.
-    if (case_.target.samples != VK_SAMPLE_COUNT_1_BIT) return false;
     const exact::Position position = exact::sample_place(case_.target, begin).position;
     x_ = position.x;
     y_ = position.y;
@@ -120,7 +118,7 @@ bool RowJudge::expect_depth() {
   if (state == nullptr || !state->depth_test || !state->depth_write) {
     return expect_constant(exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth}));
   }
-  if (!has_plain_depth(*state, case_.target.depth_format)) return false;
+  if (has_several_samples() || !has_plain_depth(*state, case_.target.depth_format)) return false;
   expected_.resize(size_);
   least_.resize(size_);
   values_.triangle(sole_).depth_row(x_, y_, expected_, least_);
@@ -133,7 +131,7 @@ bool RowJudge::expect_varying(uint32_t component) {
   const exact::TriangleValues& triangle = values_.triangle(sole_);
   const exact::TriangleValues::Component& prepared = triangle.component(sources_[component].number);
   if (prepared.interpolation == Interpolation::kFlat) return expect_constant(prepared.provoking);
-  if (!prepared.judged) return false;
+  if (!prepared.judged || has_several_samples()) return false;
   if (!has_w_ && prepared.interpolation == Interpolation::kSmooth) {
     w_.resize(size_);
     triangle.w_row(x_, y_, w_);

@@ -46,6 +46,8 @@ class RowJudge {
   bool expect_depth();
   bool expect_varying(uint32_t component);
   bool expect_constant(float value);
+  // Those of a pixel have values of their own, which are asked for one by one.
+  [[nodiscard]] bool has_several_samples() const { return case_.target.samples != VK_SAMPLE_COUNT_1_BIT; }
   // A party's values, from the run's first sample on.
   [[nodiscard]] const float* values(const Planes& planes) const;
 

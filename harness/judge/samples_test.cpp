@@ -78,6 +78,25 @@ TEST(Samples, SamplesInTheWrongOrderAreFound) {
             0U);
 }
 
+// Values that grow by a pixel's worth from sample to sample, beginning with the right one in each row.
+TEST(Samples, SamplesOfAPixelAreNoPixelsOfARow) {
+  Case one = slanted(VK_SAMPLE_COUNT_4_BIT, VK_FORMAT_D32_SFLOAT);
+  one.varyings = {{.name = "x", .sampling = Sampling::kSample}};
+  Draw& draw = one.draws.front();
+  draw.positions = {{-1, -1, 0.5F, 1}, {3, -1, 0.5F, 1}, {-1, 3, 0.5F, 1}};
+  draw.varyings = {0, 32, 0};
+  EXPECT_EQ(faults(one, drawn(one), "x"), 0U);
+  EXPECT_GT(faults_after(one, "x",
+                         [](Planes& planes) {
+                           std::vector<float>& x = planes.varyings[0];
+                           for (size_t i = 0; i < x.size(); ++i) {
+                             const size_t row_begin = i - i % 64;
+                             x[i] = x[row_begin] + static_cast<float>(i % 64);
+                           }
+                         }),
+            0U);
+}
+
 TEST(Samples, AMaskedSampleMustNotBeCovered) {
   Case one = slanted(VK_SAMPLE_COUNT_4_BIT, VK_FORMAT_D32_SFLOAT);
   const Planes unmasked = drawn(one);

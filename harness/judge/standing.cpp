@@ -90,12 +90,12 @@ bool has_finite_values(const Piece& piece) {
   return !piece.thin && !piece.shape->undefined();
 }
 
-// A standing from doubles, confirmed by the exact value where it is close to an accusation. `error` bounds what the
-// doubles err, `exact_value` gives the exact value.
-template <typename ExactValue>
-Standing confirmed(float value, const Expected& expected, double error, const ExactValue& exact_value) {
+// A standing from doubles, confirmed by the exact value where it is close to an accusation. `error()` bounds what the
+// doubles err, `exact_value()` gives the exact value.
+template <typename ErrorBound, typename ExactValue>
+Standing confirmed(float value, const Expected& expected, const ErrorBound& error, const ExactValue& exact_value) {
   const Standing standing = value_standing(value, expected);
-  if (!needs_confirmation(standing) || certainly_outside(value, expected, error)) return standing;
+  if (!needs_confirmation(standing) || certainly_outside(value, expected, error())) return standing;
   return value_standing(value, {.value = exact_value(), .tolerance = expected.tolerance, .spread = expected.spread});
 }
 
@@ -205,11 +205,13 @@ Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
   const bool open = leaves_range(state, format, depth) && (depth.value < -depth.tolerance - depth.spread ||
                                                            depth.value > 1 + depth.tolerance + depth.spread);
   if (open) return undecided_value(value, true);
-  return confirmed(value, expected, values.depth_error(x, y), [&] {
+  const auto exact_depth = [&] {
     Expected exactly = depth;
     exactly.value = values.exact_depth(x, y);
     return expected_in(format, state, exactly).value;
-  });
+  };
+  return confirmed(
+      value, expected, [&] { return values.depth_error(x, y); }, exact_depth);
 }
 
 Standing PartyJudge::varying(const Possibilities& possible, size_t index, uint32_t component) const {
@@ -247,8 +249,10 @@ Standing PartyJudge::varying_of(const Outcome& outcome, size_t index, uint32_t c
   if (source.source == VaryingSource::kFragCoord) return frag_coord(piece, values, source, value, place);
   if (source.source == VaryingSource::kPointCoord) return point_coord(piece, values, source, value, place);
   const auto standing_at = [&](const exact::Position& at) {
-    return confirmed(value, values.varying_for(number, value, at.x, at.y), values.varying_error(number, at.x, at.y),
-                     [&] { return values.exact_varying(number, at.x, at.y); });
+    return confirmed(
+        value, values.varying_for(number, value, at.x, at.y),
+        [&] { return values.varying_error(number, at.x, at.y); },
+        [&] { return values.exact_varying(number, at.x, at.y); });
   };
   if (source.sampling == Sampling::kSample) return standing_at(place.position);
   if (source.sampling == Sampling::kCenter || planes_.samples == 1) return best_place(place, standing_at);

@@ -72,6 +72,13 @@ Case with_front_faces_flipped(Case test_case) {
   return test_case;
 }
 
+Case without_varyings(const Case& test_case) {
+  Case result = test_case;
+  result.varyings.clear();
+  for (Draw& draw : result.draws) draw.varyings.clear();
+  return result;
+}
+
 Case without_depth_test(Case test_case) {
   for (Draw& draw : test_case.draws) {
     draw.state.depth_test = false;

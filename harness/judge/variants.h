@@ -15,6 +15,8 @@ Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& orde
 
 Case with_front_faces_flipped(Case test_case);
 Case without_depth_test(Case test_case);
+// What is covered by whom is the same, and cheaper to draw.
+Case without_varyings(const Case& test_case);
 bool tests_depth(const Case& test_case);
 
 // True if every draw is of triangles that are filled.

@@ -12,7 +12,7 @@ layout(push_constant) uniform Numbering {
   uint first_provoking_vertex;
 };
 
-layout(set = 0, binding = 0, std140) uniform Shading {
+layout(set = 0, binding = 0, std140) readonly buffer Shading {
   mat4 model;
   mat4 view;
   mat4 projection;

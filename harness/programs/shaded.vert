@@ -3,7 +3,7 @@
 // begins with normal.yz. Its twin for the renderer is shaded.h; the macros are those of varyings.vert.
 #version 450
 
-layout(set = 0, binding = 0, std140) uniform Shading {
+layout(set = 0, binding = 0, std140) readonly buffer Shading {
   mat4 model;
   mat4 view;
   mat4 projection;

@@ -65,6 +65,16 @@ VaryingsProgram::VaryingsProgram(const std::vector<Varying>& varyings, const Dra
       ++component_count_;
     }
   }
+  is_plain_ = samples_ == 1 && !has_centroid_ && !has_sample_ && !has_frag_coord_ && !has_point_coord_;
+  Component* const end = components_.data() + component_count_;
+  const auto move_to_front = [&](uint32_t from, Interpolation interpolation) {
+    Component* const behind = std::partition(components_.data() + from, end, [interpolation](const Component& one) {
+      return one.interpolation == interpolation;
+    });
+    return static_cast<uint32_t>(behind - components_.data());
+  };
+  flat_end_ = move_to_front(0, Interpolation::kFlat);
+  smooth_end_ = move_to_front(flat_end_, Interpolation::kSmooth);
 }
 
 FeatureSet renderer_features() {

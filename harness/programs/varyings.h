@@ -42,6 +42,10 @@ class VaryingsProgram {
 
   void fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const {
     const size_t pixel = static_cast<size_t>(fragment.y) * width_ + static_cast<size_t>(fragment.x);
+    if (is_plain_) {
+      plain_fragment(data, fragment, pixel);
+      return;
+    }
     for_each_sample(pixel, fragment.samples, [&](size_t sample) {
       ++hits_[sample];
       owner_[sample] = data.owner;
@@ -65,6 +69,27 @@ class VaryingsProgram {
     VaryingSource source = VaryingSource::kVertices;
     uint32_t index = 0;  // of the component in the vertex, or in the built-in
   };
+
+  // One sample a pixel, and nothing but vertices' values at its centre: no question is asked for each component.
+  void plain_fragment(const PrimitiveData& data, const renderer::Fragment& fragment, size_t pixel) const {
+    ++hits_[pixel];
+    owner_[pixel] = data.owner;
+    front_facing_[pixel] = data.front_facing;
+    const auto& [value0, value1, value2] = data.components;
+    uint32_t i = 0;
+    for (; i < flat_end_; ++i) {
+      components_[i].plane[pixel] = value0[components_[i].index];
+    }
+    if (i == component_count_) {
+      return;
+    }
+    const renderer::PixelWeights weights = fragment.weights();
+    for (; i < component_count_; ++i) {
+      const uint32_t index = components_[i].index;
+      components_[i].plane[pixel] = renderer::interpolate(value0[index], value1[index], value2[index],
+                                                          i < smooth_end_ ? weights.smooth : weights.noperspective);
+    }
+  }
 
   // What a fragment's values come from; only what a varying uses is filled in.
   struct Inputs {
@@ -126,6 +151,10 @@ class VaryingsProgram {
   std::array<Component, size_t{kMaxVaryings} * kMaxVaryingComponents> components_;
   uint32_t component_count_ = 0;
   uint32_t vertex_component_count_ = 0;
+  // Flat components come first, smooth ones next.
+  uint32_t flat_end_ = 0;
+  uint32_t smooth_end_ = 0;
+  bool is_plain_ = true;
   bool has_frag_coord_ = false;
   bool has_point_coord_ = false;
   bool has_centroid_ = false;

@@ -5,7 +5,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
-#include <memory>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -13,13 +12,20 @@
 #include <vector>
 
 #include "cases/model/planes.h"
+#include "cases/model/result.h"
 
 namespace fillrule::run {
+
+// What the reference drew of a case; nothing where the candidate is alone with the oracle.
+struct ReferenceDrawing {
+  std::optional<Planes> planes;
+  std::optional<Result<Planes>> colors;  // of a scene
+};
 
 // What a worker takes: a case, its place in the results and what the reference drew.
 struct Job {
   size_t index = 0;
-  std::unique_ptr<const Planes> reference;  // none where the candidate is alone with the oracle
+  ReferenceDrawing reference;
 };
 
 // Jobs from one thread to many, at most `capacity` waiting, so that pictures do not pile up.

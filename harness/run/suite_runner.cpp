@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "harness/run/job_queue.h"
 #include "harness/run/reference.h"
@@ -31,13 +32,24 @@ struct SuiteRunner::State {
   scene::Painter reference_paint;  // empty without a reference
   std::unique_ptr<scene::Assets> assets = std::make_unique<scene::Assets>();
 
-  // The colours of a scene; nothing of other cases, nor where the candidate cannot draw in colour.
-  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, bool with_reference) const {
-    if (!test_case.scene || !candidate.paint) return std::nullopt;
+  // Whether the case is a scene whose colours the candidate can draw, so that both parties have to.
+  [[nodiscard]] bool has_colors(const Case& test_case) const { return test_case.scene && candidate.paint; }
+
+  // The reference's planes, and for a scene its colours too.
+  [[nodiscard]] ReferenceDrawing with_colors(const Case& test_case, Planes planes) const {
+    ReferenceDrawing drawn{.planes = std::move(planes)};
+    if (has_colors(test_case)) drawn.colors = scene::paint_scene(test_case, *assets, reference_paint);
+    return drawn;
+  }
+
+  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, const judge::Oracle& oracle,
+                                                               const ReferenceDrawing& drawn) const {
+    if (!has_colors(test_case)) return std::nullopt;
     const scene::PaintingParty candidate_party{candidate.paint, candidate.subpixel_bits};
-    if (!with_reference) return scene::check_scene(test_case, *assets, candidate_party, nullptr);
-    const scene::PaintingParty reference_party{reference_paint, reference->device().subpixel_bits};
-    return scene::check_scene(test_case, *assets, candidate_party, &reference_party);
+    if (!drawn.colors) return scene::check_scene(test_case, *assets, candidate_party, nullptr, &oracle);
+    const scene::PaintingParty reference_party{scene::painted_before(*drawn.colors),
+                                               reference->device().subpixel_bits};
+    return scene::check_scene(test_case, *assets, candidate_party, &reference_party, &oracle);
   }
 
   [[nodiscard]] judge::Oracle ask_oracle(const Case& test_case, bool with_reference) const {
@@ -65,7 +77,8 @@ struct SuiteRunner::State {
   }
 
   // The candidate's part and the verdict.
-  void finish(const Case& test_case, const Planes* reference_planes, CaseResult& result, RunTiming& timing) const {
+  void finish(const Case& test_case, const ReferenceDrawing& drawn, CaseResult& result, RunTiming& timing) const {
+    const Planes* const reference_planes = drawn.planes ? &*drawn.planes : nullptr;
     if (Result<void> can = can_finish(test_case); !can) {
       result.status = Status::kSkipped;
       result.message = to_string(can.error());
@@ -91,7 +104,7 @@ struct SuiteRunner::State {
           *planes);
       timing.check_seconds += stopwatch.lap();
     }
-    if (std::optional<judge::CheckResult> colors = check_colors(test_case, reference_planes != nullptr)) {
+    if (std::optional<judge::CheckResult> colors = check_colors(test_case, oracle, drawn)) {
       result.checks.push_back(std::move(*colors));
       timing.check_seconds += stopwatch.lap();
     }
@@ -103,8 +116,8 @@ struct SuiteRunner::State {
   }
 
   // Draws one batch. Cases that the device cannot draw are marked as skipped, with the reason.
-  std::vector<std::unique_ptr<const Planes>> draw_batch(std::span<const Case> batch, std::span<CaseResult> results) {
-    std::vector<std::unique_ptr<const Planes>> drawn(batch.size());
+  std::vector<ReferenceDrawing> draw_batch(std::span<const Case> batch, std::span<CaseResult> results) {
+    std::vector<ReferenceDrawing> drawn(batch.size());
     std::vector<const Case*> accepted;
     std::vector<size_t> places;
     for (size_t i = 0; i < batch.size(); ++i) {
@@ -119,7 +132,7 @@ struct SuiteRunner::State {
     std::vector<Result<Planes>> planes = reference->draw(accepted);
     for (size_t i = 0; i < accepted.size(); ++i) {
       if (planes[i]) {
-        drawn[places[i]] = std::make_unique<const Planes>(std::move(*planes[i]));
+        drawn[places[i]] = with_colors(*accepted[i], std::move(*planes[i]));
       } else {
         results[places[i]].status = Status::kFailed;
         results[places[i]].message = "the reference broke down: " + to_string(planes[i].error());
@@ -132,7 +145,7 @@ struct SuiteRunner::State {
             const Progress& progress) {
     for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
       const size_t size = std::min(kBatchSize, cases.size() - begin);
-      std::vector<std::unique_ptr<const Planes>> drawn(size);
+      std::vector<ReferenceDrawing> drawn(size);
       if (reference) drawn = draw_batch(cases.subspan(begin, size), std::span(results).subspan(begin, size));
       for (size_t i = 0; i < size; ++i) {
         if (results[begin + i].status == Status::kFailed) {
@@ -162,7 +175,7 @@ struct SuiteRunner::State {
         JobQueue queue(2 * kBatchSize);
         const Workers workers(jobs, [&](uint32_t worker) {
           while (std::optional<Job> job = queue.pop()) {
-            finish(cases[job->index], job->reference.get(), results[job->index], timings[worker]);
+            finish(cases[job->index], job->reference, results[job->index], timings[worker]);
             progress();
           }
         });
@@ -239,16 +252,18 @@ Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   if (!candidate) return tl::unexpected(candidate.error());
   drawing.candidate = std::move(*candidate);
   // What the device cannot draw is shown without it.
+  ReferenceDrawing drawn;
   if (state_->reference && vulkan::check_case(state_->reference->device(), test_case)) {
     const Case* const one = &test_case;
     std::vector<Result<Planes>> planes = state_->reference->draw({&one, 1});
     if (!planes.front()) return tl::unexpected(planes.front().error());
-    drawing.reference = std::move(*planes.front());
+    drawn = state_->with_colors(test_case, std::move(*planes.front()));
   }
-  const Planes* const reference = drawing.reference ? &*drawing.reference : nullptr;
+  const Planes* const reference = drawn.planes ? &*drawn.planes : nullptr;
   const judge::Oracle oracle = state_->ask_oracle(test_case, reference != nullptr);
   drawing.verdict = state_->judge_case(test_case, oracle, drawing.candidate, reference, true);
-  drawing.scene_colors = state_->check_colors(test_case, reference != nullptr);
+  drawing.scene_colors = state_->check_colors(test_case, oracle, drawn);
+  drawing.reference = std::move(drawn.planes);
   return drawing;
 }
 

@@ -17,24 +17,38 @@ Planes without_colors(const Planes& planes) {
   return rest;
 }
 
-// What the parties draw, and by how much they may be off.
+bool transforms(const Case& built) {
+  return built.scene->transform_on == TransformOn::kBoth;
+}
+
+// What the parties draw.
 struct Subject {
   Case drawn;
   programs::CaseShading shading;
-  uint32_t bits_less = 0;  // that coverage is judged with
-  TransformError error;
 };
 
-Result<Subject> subject_of(const Case& built, Assets& assets, uint32_t subpixel_bits) {
-  const bool transforms = built.scene->transform_on == TransformOn::kBoth;
-  Result<programs::CaseShading> shading = shading_of(built, assets, transforms);
+Result<Subject> subject_of(const Case& built, Assets& assets) {
+  if (!built.scene) return failure("a case without a scene");
+  Result<programs::CaseShading> shading = shading_of(built, assets, transforms(built));
   if (!shading) return tl::unexpected(shading.error());
-  if (!transforms) return Subject{.drawn = built, .shading = std::move(*shading)};
+  if (!transforms(built)) return Subject{.drawn = built, .shading = std::move(*shading)};
   Result<Case> object = object_case(built, assets);
   if (!object) return tl::unexpected(object.error());
-  const Result<TransformError> error = transform_error(*object, *shading, subpixel_bits);
-  if (!error) return tl::unexpected(error.error());
-  return Subject{.drawn = std::move(*object), .shading = std::move(*shading), .bits_less = 1, .error = *error};
+  return Subject{.drawn = std::move(*object), .shading = std::move(*shading)};
+}
+
+// Everything but the colours.
+judge::CaseVerdict judge_geometry(const Case& built, const judge::Oracle& oracle, const ColorParty& candidate,
+                                  const ColorParty* reference) {
+  Case geometry = built;
+  geometry.varyings.clear();
+  for (Draw& draw : geometry.draws) draw.varyings.clear();
+  const Planes candidate_geometry = without_colors(*candidate.planes);
+  const judge::Party judged{.planes = &candidate_geometry, .subpixel_bits = candidate.subpixel_bits};
+  if (reference == nullptr) return judge::judge(geometry, oracle, judged, nullptr, {});
+  const Planes reference_geometry = without_colors(*reference->planes);
+  const judge::Party against{.planes = &reference_geometry, .subpixel_bits = reference->subpixel_bits};
+  return judge::judge(geometry, oracle, judged, &against, {});
 }
 
 std::string outside_in_words(const PartyColors& colors) {
@@ -44,47 +58,50 @@ std::string outside_in_words(const PartyColors& colors) {
 
 }  // namespace
 
-Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                                 const PaintingParty* reference) {
-  if (!built.scene) return failure("a case without a scene");
-  const Result<Subject> subject = subject_of(built, assets, candidate.subpixel_bits);
+Result<Planes> paint_scene(const Case& built, Assets& assets, const Painter& paint) {
+  const Result<Subject> subject = subject_of(built, assets);
   if (!subject) return tl::unexpected(subject.error());
+  return paint(subject->drawn, subject->shading);
+}
+
+Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
+                                 const PaintingParty* reference, const judge::Oracle* oracle) {
+  const Result<Subject> subject = subject_of(built, assets);
+  if (!subject) return tl::unexpected(subject.error());
+  TransformError error;
+  uint32_t bits_less = 0;  // that everything is judged with
+  if (transforms(built)) {
+    const Result<TransformError> bound = transform_error(subject->drawn, subject->shading, candidate.subpixel_bits);
+    if (!bound) return tl::unexpected(bound.error());
+    error = *bound;
+    bits_less = 1;
+  }
   const Result<Planes> candidate_planes = candidate.paint(subject->drawn, subject->shading);
   if (!candidate_planes) return tl::unexpected(candidate_planes.error());
   std::optional<Result<Planes>> reference_planes;
+  std::optional<ColorParty> reference_party;
   if (reference != nullptr) {
     reference_planes = reference->paint(subject->drawn, subject->shading);
     if (!*reference_planes) return tl::unexpected(reference_planes->error());
+    reference_party = ColorParty{&**reference_planes, reference->subpixel_bits - bits_less};
   }
-
-  SceneVerdict verdict;
-  const ColorParty candidate_party{&*candidate_planes, candidate.subpixel_bits - subject->bits_less};
-  std::optional<ColorParty> reference_party;
-  if (reference != nullptr) {
-    reference_party = ColorParty{&**reference_planes, reference->subpixel_bits - subject->bits_less};
+  const ColorParty candidate_party{&*candidate_planes, candidate.subpixel_bits - bits_less};
+  std::optional<judge::Oracle> own_oracle;
+  if (oracle == nullptr || bits_less > 0) {
+    own_oracle.emplace(built, candidate_party.subpixel_bits,
+                       reference_party ? std::optional(reference_party->subpixel_bits) : std::nullopt);
+    oracle = &*own_oracle;
   }
-  verdict.colors = judge_colors(built, subject->shading, candidate_party,
-                                reference_party ? &*reference_party : nullptr, subject->error);
-
-  Case geometry = built;
-  geometry.varyings.clear();
-  for (Draw& draw : geometry.draws) draw.varyings.clear();
-  const Planes candidate_geometry = without_colors(*candidate_planes);
-  const judge::Party judged{.planes = &candidate_geometry, .subpixel_bits = candidate_party.subpixel_bits};
-  if (reference == nullptr) {
-    verdict.planes = judge::judge(geometry, judged, nullptr, {});
-    return verdict;
-  }
-  const Planes reference_geometry = without_colors(**reference_planes);
-  const judge::Party against{.planes = &reference_geometry, .subpixel_bits = reference_party->subpixel_bits};
-  verdict.planes = judge::judge(geometry, judged, &against, {});
-  return verdict;
+  return SceneVerdict{
+      .colors = judge_colors(built, subject->shading, *oracle, candidate_party,
+                             reference_party ? &*reference_party : nullptr, error),
+      .planes = judge_geometry(built, *oracle, candidate_party, reference_party ? &*reference_party : nullptr)};
 }
 
 judge::CheckResult check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                               const PaintingParty* reference) {
+                               const PaintingParty* reference, const judge::Oracle* oracle) {
   judge::CheckResult result{.name = "scene_colors"};
-  const Result<SceneVerdict> verdict = judge_scene(built, assets, candidate, reference);
+  const Result<SceneVerdict> verdict = judge_scene(built, assets, candidate, reference, oracle);
   if (!verdict) {
     result.outcome = judge::CheckResult::Outcome::kFailed;
     result.message = to_string(verdict.error());

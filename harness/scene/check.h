@@ -22,12 +22,16 @@ struct SceneVerdict {
   judge::CaseVerdict planes;
 };
 
-// `reference` may be null. Errors: what cannot be drawn, or not be judged.
+// What is judged below, drawn by one party.
+Result<Planes> paint_scene(const Case& built, Assets& assets, const Painter& paint);
+
+// `reference` may be null; `oracle` is that of the case for the parties' subpixel bits, if it has been made already.
+// Errors: what cannot be drawn, or not be judged.
 Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                                 const PaintingParty* reference);
+                                 const PaintingParty* reference, const judge::Oracle* oracle = nullptr);
 
 // The same as one check of the case, named "scene_colors": failed if the candidate is at fault.
 judge::CheckResult check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                               const PaintingParty* reference);
+                               const PaintingParty* reference, const judge::Oracle* oracle = nullptr);
 
 }  // namespace fillrule::scene

@@ -6,6 +6,8 @@
 #include <limits>
 #include <map>
 #include <memory>
+#include <optional>
+#include <vector>
 
 #include "harness/scene/color_bounds.h"
 #include "reference/exact/expectation.h"
@@ -13,12 +15,12 @@
 namespace fillrule::scene {
 namespace {
 
-// Which colours one party may have, piece by piece and sample by sample.
-class PartyBounds {
+// Which colours parties of equal subpixel bits may have, sample by sample.
+class AllowedColors {
  public:
-  PartyBounds(const Case& built, const programs::CaseShading& shading, uint32_t subpixel_bits,
-              const TransformError& error)
-      : case_(built), shading_(shading), error_(error), expectation_(built, subpixel_bits) {}
+  AllowedColors(const Case& built, const programs::CaseShading& shading, const exact::Expectation& expectation,
+                const TransformError& error)
+      : case_(built), shading_(shading), error_(error), expectation_(expectation) {}
 
   // The bounds that a colour of this owner is in, or else the first ones that it is not in; none where nothing can be
   // said.
@@ -28,26 +30,12 @@ class PartyBounds {
     ColorBounds bounds{};
   };
   Answer of(size_t sample, double x, double y, uint32_t owner, const std::array<float, 3>& color) {
-    entries_.clear();
-    expectation_.collect(sample, entries_);
-    Answer answer;
-    for (const exact::Entry& entry : entries_) {
-      const exact::Piece& piece = expectation_.pieces()[entry.piece];
-      if (piece.owner != owner) continue;
-      // Its values are undefined ground.
-      if (piece.shape->undefined() || piece.thin) return {};
-      const auto range = range_of(entry.piece, piece, x, y);
-      if (!range) return {};
-      const ColorBounds bounds = color_bounds(shading_[piece.draw], *range, {});
-      bool inside = true;
-      for (size_t c = 0; c < 3; ++c) {
-        // So that NaN is outside.
-        inside = inside && double{color[c]} >= bounds[c].low && double{color[c]} <= bounds[c].high;
-      }
-      if (!answer.judged || inside) answer = {.judged = true, .inside = inside, .bounds = bounds};
-      if (inside) break;
+    if (!asked_ || sample != sample_ || owner != owner_) work_out(sample, x, y, owner);
+    for (const ColorBounds& bounds : bounds_) {
+      if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
     }
-    return answer;
+    if (is_open_ || bounds_.empty()) return {};
+    return {.judged = true, .bounds = bounds_.front()};
   }
 
  private:
@@ -55,6 +43,37 @@ class PartyBounds {
     double value = 0;
     double error = 0;
   };
+
+  static bool is_inside(const std::array<float, 3>& color, const ColorBounds& bounds) {
+    bool inside = true;
+    for (size_t c = 0; c < 3; ++c) {
+      // So that NaN is outside.
+      inside = inside && double{color[c]} >= bounds[c].low && double{color[c]} <= bounds[c].high;
+    }
+    return inside;
+  }
+
+  // The bounds of all pieces of this owner, up to the first of which nothing can be said.
+  void work_out(size_t sample, double x, double y, uint32_t owner) {
+    asked_ = true;
+    sample_ = sample;
+    owner_ = owner;
+    is_open_ = false;
+    bounds_.clear();
+    expectation_.collect(sample, entries_);
+    for (const exact::Entry& entry : entries_) {
+      const exact::Piece& piece = expectation_.pieces()[entry.piece];
+      if (piece.owner != owner) continue;
+      // The values of such pieces are undefined ground.
+      const bool is_defined = !piece.shape->undefined() && !piece.thin;
+      const auto range = is_defined ? range_of(entry.piece, piece, x, y) : std::nullopt;
+      if (!range) {
+        is_open_ = true;
+        return;
+      }
+      bounds_.push_back(color_bounds(shading_[piece.draw], *range, {}));
+    }
+  }
 
   const exact::PieceValues& values(uint32_t number, const exact::Piece& piece) {
     std::unique_ptr<exact::PieceValues>& values = values_[number];
@@ -64,8 +83,8 @@ class PartyBounds {
 
   static Value value_at(const exact::PieceValues& values, uint32_t component, double x, double y) {
     // NaN is within no tolerance, so that all of it is worked out.
-    const float nothing = std::numeric_limits<float>::quiet_NaN();
-    return {values.varying_for(component, nothing, x, y).value, values.varying_tolerance(component, x, y).total()};
+    const exact::Expected expected = values.varying_for(component, std::numeric_limits<float>::quiet_NaN(), x, y);
+    return {.value = expected.value, .error = expected.tolerance};
   }
 
   std::optional<SurfaceRange> range_of(uint32_t number, const exact::Piece& piece, double x, double y) {
@@ -116,9 +135,15 @@ class PartyBounds {
   const Case& case_;
   const programs::CaseShading& shading_;
   TransformError error_;
-  exact::Expectation expectation_;
+  const exact::Expectation& expectation_;
   std::vector<exact::Entry> entries_;
   std::map<uint32_t, std::unique_ptr<exact::PieceValues>> values_;
+  // What was asked for last.
+  bool asked_ = false;
+  size_t sample_ = 0;
+  uint32_t owner_ = 0;
+  std::vector<ColorBounds> bounds_;
+  bool is_open_ = false;
 };
 
 std::array<float, 3> color_at(const Planes& planes, size_t index) {
@@ -134,35 +159,36 @@ std::string in_words(const Planes& planes, size_t index, const std::array<float,
       bounds[1].low, bounds[1].high, bounds[2].low, bounds[2].high);
 }
 
-PartyColors judge_party(const Case& built, const programs::CaseShading& shading, const ColorParty& party,
-                        const TransformError& error) {
-  const Planes& planes = *party.planes;
-  PartyBounds bounds(built, shading, party.subpixel_bits, error);
-  PartyColors result;
-  for (size_t index = 0; index < planes.hits.size(); ++index) {
-    if (planes.hits[index] == 0) continue;
-    const size_t pixel = index / planes.samples;
-    const size_t row = pixel / planes.width;
-    const auto color = color_at(planes, index);
-    const auto answer = bounds.of(index, static_cast<double>(pixel % planes.width) + 0.5,
-                                  static_cast<double>(row) + 0.5, planes.owner[index], color);
-    if (!answer.judged) continue;
-    ++result.judged;
-    if (answer.inside) continue;
-    if (result.outside++ == 0) result.first = in_words(planes, index, color, answer.bounds);
-  }
-  return result;
+void judge_sample(AllowedColors& allowed, const Planes& planes, size_t index, PartyColors& result) {
+  if (planes.hits[index] == 0) return;
+  const size_t pixel = index / planes.samples;
+  const size_t row = pixel / planes.width;
+  const auto color = color_at(planes, index);
+  const auto answer = allowed.of(index, static_cast<double>(pixel % planes.width) + 0.5,
+                                 static_cast<double>(row) + 0.5, planes.owner[index], color);
+  if (!answer.judged) return;
+  ++result.judged;
+  if (answer.inside) return;
+  if (result.outside++ == 0) result.first = in_words(planes, index, color, answer.bounds);
 }
 
 }  // namespace
 
-ColorVerdict judge_colors(const Case& built, const programs::CaseShading& shading, const ColorParty& candidate,
-                          const ColorParty* reference, const TransformError& error) {
-  ColorVerdict verdict{.candidate = judge_party(built, shading, candidate, error)};
-  if (reference == nullptr) return verdict;
-  verdict.reference = judge_party(built, shading, *reference, error);
-  if (candidate.subpixel_bits != reference->subpixel_bits) return verdict;
+ColorVerdict judge_colors(const Case& built, const programs::CaseShading& shading, const judge::Oracle& oracle,
+                          const ColorParty& candidate, const ColorParty* reference, const TransformError& error) {
+  ColorVerdict verdict;
+  AllowedColors allowed(built, shading, oracle.for_candidate(), error);
+  std::optional<AllowedColors> of_reference;
+  if (reference != nullptr && &oracle.for_reference() != &oracle.for_candidate()) {
+    of_reference.emplace(built, shading, oracle.for_reference(), error);
+  }
   const Planes& a = *candidate.planes;
+  for (size_t index = 0; index < a.hits.size(); ++index) {
+    judge_sample(allowed, a, index, verdict.candidate);
+    if (reference == nullptr) continue;
+    judge_sample(of_reference ? *of_reference : allowed, *reference->planes, index, verdict.reference);
+  }
+  if (reference == nullptr || of_reference) return verdict;
   const Planes& b = *reference->planes;
   for (size_t index = 0; index < a.hits.size(); ++index) {
     if (a.hits[index] == 0 || b.hits[index] == 0 || a.owner[index] != b.owner[index]) continue;

@@ -7,6 +7,7 @@
 
 #include "cases/model/case.h"
 #include "cases/model/planes.h"
+#include "harness/judge/judge.h"
 #include "harness/programs/shading.h"
 
 namespace fillrule::scene {
@@ -41,8 +42,9 @@ struct TransformError {
   double normal_world = 0;
 };
 
-// `built` is the case whose positions are final; `reference` may be null.
-ColorVerdict judge_colors(const Case& built, const programs::CaseShading& shading, const ColorParty& candidate,
-                          const ColorParty* reference, const TransformError& error = {});
+// `built` is the case whose positions are final, `oracle` was made of it for the parties' subpixel bits; `reference`
+// may be null.
+ColorVerdict judge_colors(const Case& built, const programs::CaseShading& shading, const judge::Oracle& oracle,
+                          const ColorParty& candidate, const ColorParty* reference, const TransformError& error = {});
 
 }  // namespace fillrule::scene

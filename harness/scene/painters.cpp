@@ -3,6 +3,7 @@
 #include <memory>
 #include <mutex>
 #include <span>
+#include <utility>
 
 #include "harness/programs/glsl.h"
 #include "harness/programs/shaded.h"
@@ -67,6 +68,11 @@ Painter driver_painter_on_demand(const DriverOptions& options) {
     if (!shared->painter) return tl::unexpected(shared->painter.error());
     return (*shared->painter)(built, shading);
   };
+}
+
+Painter painted_before(Result<Planes> planes) {
+  const auto shared = std::make_shared<const Result<Planes>>(std::move(planes));
+  return [shared](const Case&, const programs::CaseShading&) { return *shared; };
 }
 
 }  // namespace fillrule::scene

@@ -30,4 +30,7 @@ Result<Painter> driver_painter(const DriverOptions& options);
 // The same, with the device opened when it is first asked to draw.
 Painter driver_painter_on_demand(const DriverOptions& options);
 
+// Hands out what was drawn before.
+Painter painted_before(Result<Planes> planes);
+
 }  // namespace fillrule::scene

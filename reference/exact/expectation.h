@@ -44,6 +44,7 @@ struct Entry {
   uint32_t piece = 0;                  // index into Expectation::pieces()
   Coverage coverage = Coverage::kMay;  // kMay or kMust
   DoubtBits doubt = 0;
+  bool operator==(const Entry&) const = default;
 };
 
 // What Expectation::sole() says where nothing can land, and where there is more to say than one number.

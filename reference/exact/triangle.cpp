@@ -166,9 +166,19 @@ void Triangle::set_up_edges() {
   const double determinant = terms[0] + terms[1] + terms[2];
   const double error = 0x1p-50 * (std::abs(terms[0]) + std::abs(terms[1]) + std::abs(terms[2]));
   determinant_ = std::abs(determinant);
-  orientation_ = determinant > 0 ? 1 : -1;
-  if (determinant_ <= error) orientation_ = exact_orientation(vertices_, viewport_);
-  if (determinant_ * 0x1p-40 <= error) determinant_ = exact_determinant(vertices_, viewport_);
+  orientation_ = determinant > 0 ? 1 : (determinant < 0 ? -1 : 0);
+  // On short coordinates nothing was rounded, so that triangles without area need no rationals.
+  const LinearForm& edge = edges_[0];
+  const bool is_exact = edge.error_a == 0 && edge.error_b == 0 && edge.error_c == 0 &&
+                        product_is_exact(u_[0], edge.a) && product_is_exact(v_[0], edge.b) &&
+                        product_is_exact(w(0), edge.c) && sum_is_exact(terms[0], terms[1]) &&
+                        sum_is_exact(terms[0] + terms[1], terms[2]);
+  if (!is_exact && determinant_ <= error) orientation_ = exact_orientation(vertices_, viewport_);
+  if (orientation_ == 0) {
+    determinant_ = 0;
+  } else if (!is_exact && determinant_ * 0x1p-40 <= error) {
+    determinant_ = exact_determinant(vertices_, viewport_);
+  }
   if (orientation_ < 0) {
     for (LinearForm& edge : edges_) edge = negated(edge);
   }

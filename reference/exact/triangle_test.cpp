@@ -45,6 +45,17 @@ TEST(Triangle, TheTipOfASliverEndsAtItsBoundingBox) {
   EXPECT_EQ(coverage(sliver, 30.5, 20.5), Coverage::kMustNot);
 }
 
+// The last vertex is the sum of the others, homogeneously; the coordinates are too long for exact doubles.
+TEST(Triangle, AreaIsNoneWhereRoundingMakesSome) {
+  for (int i = 1; i <= 100; ++i) {
+    const auto fraction = [i](int factor) { return static_cast<float>(i * factor % 0x7FFFFF) * 0x1p-24F; };
+    const ClipPosition a{fraction(51287), fraction(73421), 0.5F, 1};
+    const ClipPosition b{fraction(90017), fraction(31337), 0.5F, 1};
+    const ClipPosition sum{a[0] + b[0], a[1] + b[1], 1, 2};
+    EXPECT_EQ(Triangle({a, b, sum}, {.width = 100, .height = 60, .maxDepth = 1}).orientation(), 0) << i;
+  }
+}
+
 TEST(Triangle, WithoutAreaOnlySamplesOnTheSegmentMayBeCovered) {
   const Triangle segment({at(10.5, 10.5), at(20.5, 20.5), at(30.5, 30.5)}, kViewport);
   EXPECT_EQ(segment.orientation(), 0);

@@ -65,6 +65,18 @@ double TriangleValues::least_linear(const WindowLinear& quantity) const {
   return quantity.form().reach(latitude_.x, latitude_.y) + kValueRoundings * kUnitRoundoff * quantity.largest();
 }
 
+// A lower bound of the tolerance of a smooth varying of value v, times 1/w. C >= 2 max |q_i| for both quantities. The
+// numerator n and 1/w = r give v(p + d) - v = (dn - v dr).d / r(p + d), where d and -d are both tried, A is 1 at
+// least, and one of both r is at most r(p). The last factor leaves room for what all of that rounds in double.
+double TriangleValues::least_smooth(const Component& component, double value) const {
+  constexpr double kBelow = 1 - 0x1p-20;
+  const LinearForm& n = component.numerator.form();
+  const LinearForm& r = reciprocal_w_.form();
+  const double rounded = component.numerator.largest() + std::abs(value) * reciprocal_w_.largest();
+  const double moved = latitude_.x * std::abs(n.a - value * r.a) + latitude_.y * std::abs(n.b - value * r.b);
+  return kBelow * (kValueRoundings * kUnitRoundoff * rounded + moved);
+}
+
 // Rounding may move the vertices, hence the gradient: g' with g'.(e_i + D_i) = g.e_i, |g'.D_i| <= 2 R', R' =
 // t_x |g'_x| + t_y |g'_y|, so |g' - g| <= 2 R' times the rows of the inverse of (e_1, e_2), for any anchor. With k
 // the change of R' itself, R' <= R / (1 - k).
@@ -176,9 +188,7 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
   }
   const double reciprocal = reciprocal_w_.at(dx, dy);
   const double exact = component.numerator.at(dx, dy) / reciprocal;
-  // C >= max |q_i| for both quantities, so this is no more than the tolerance.
-  const double least = kValueRoundings * kUnitRoundoff *
-                       (component.numerator.largest() + std::abs(exact) * reciprocal_w_.largest()) / reciprocal;
+  const double least = least_smooth(component, exact) / reciprocal;
   if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
   return {.value = exact, .tolerance = smooth_tolerance(component, exact, dx, dy).total()};
 }
@@ -290,11 +300,9 @@ void TriangleValues::varying_row(const Component& component, double x, double y,
     }
     return;
   }
-  const double of_numerator = kValueRoundings * kUnitRoundoff * component.numerator.largest();
-  const double of_reciprocal = kValueRoundings * kUnitRoundoff * reciprocal_w_.largest();
   for (size_t i = 0; i < expected.size(); ++i) {
     expected[i] = form.at(dx + static_cast<double>(i), dy) * w[i];
-    least[i] = (of_numerator + std::abs(expected[i]) * of_reciprocal) * w[i];
+    least[i] = least_smooth(component, expected[i]) * w[i];
   }
 }
 

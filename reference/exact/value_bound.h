@@ -92,6 +92,7 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] Tolerance linear_tolerance(const WindowLinear& quantity, double dx, double dy) const;
   // A lower bound of the tolerance of a quantity that is linear in the window: A >= 1 and C >= max |q_i|.
   [[nodiscard]] double least_linear(const WindowLinear& quantity) const;
+  [[nodiscard]] double least_smooth(const Component& component, double value) const;
   [[nodiscard]] Tolerance smooth_tolerance(const Component& component, double value, double dx, double dy) const;
 
   const Triangle* triangle_;

@@ -77,6 +77,16 @@ TEST(TriangleValues, NanInAVaryingIsNotJudgedAndLeavesDepthJudged) {
   EXPECT_LT(values.depth(20.5, 20.5).tolerance, 1e-3);
 }
 
+// The tolerance that rows of samples are held against, at one sample.
+double least_in_row(const TriangleValues& values, const TriangleValues::Component& component, double x, double y) {
+  double w = 0;
+  double expected = 0;
+  double least = 0;
+  values.w_row(x, y, {&w, 1});
+  values.varying_row(component, x, y, {&w, 1}, {&expected, 1}, {&least, 1});
+  return least;
+}
+
 // The doubles that the judge works with are within a millionth of the bound of the exact values.
 TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
   constexpr uint64_t kSeed = 4711;
@@ -105,6 +115,8 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
       expect_accurate(values.depth(x, y), exact_depth(triangle, x, y), "depth");
       expect_accurate(values.varying(smooth, x, y), exact_smooth(triangle, q, x, y), "smooth");
       expect_accurate(values.varying(linear, x, y), exact_noperspective(triangle, q, x, y), "noperspective");
+      EXPECT_LE(least_in_row(values, smooth, x, y), values.varying(smooth, x, y).tolerance) << i;
+      EXPECT_LE(least_in_row(values, linear, x, y), values.varying(linear, x, y).tolerance) << i;
     }
   }
   EXPECT_GT(compared, 1000);

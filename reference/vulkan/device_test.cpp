@@ -45,6 +45,17 @@ class ScopedVariable {
   std::optional<std::string> before_;
 };
 
+TEST(Devices, WhatTheUserSaysOfOptimisationStays) {
+  const auto after_creation = [] {
+    EXPECT_TRUE(Reference::create({.program = varyings_program()}));
+    return std::string(std::getenv("GALLIVM_PERF"));
+  };
+  const ScopedVariable set("GALLIVM_PERF", "");
+  EXPECT_EQ(after_creation(), "");
+  unsetenv("GALLIVM_PERF");
+  EXPECT_EQ(after_creation(), "nopt");
+}
+
 TEST(Devices, ListsLavapipeWithItsLimits) {
   const auto devices = list_devices();
   ASSERT_TRUE(devices) << to_string(devices.error());

@@ -52,7 +52,8 @@ PipelineKey DynamicState::without(PipelineKey key) const {
   key.provoking_vertex = plain.provoking_vertex;
   key.sample_mask = plain.sample_mask;
   // The vertex stage of points writes their size.
-  if (!key.draws_points()) key.polygon_mode = plain.polygon_mode;
+  key.topology_class = key.draws_points() ? VK_PRIMITIVE_TOPOLOGY_POINT_LIST : plain.topology_class;
+  key.polygon_mode = plain.polygon_mode;
   return key;
 }
 

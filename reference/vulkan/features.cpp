@@ -90,7 +90,13 @@ void DeviceFeatures::add_if_present(const char* extension, Structure& structure)
 
 bool DeviceFeatures::has_dynamic_state() const {
   const auto& offered = dynamic_state3_;
+  VkPhysicalDeviceExtendedDynamicState3PropertiesEXT dynamic{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_EXTENDED_DYNAMIC_STATE_3_PROPERTIES_EXT};
+  VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2, .pNext = &dynamic};
+  vkGetPhysicalDeviceProperties2(device_, &properties);
   const std::array needed = {
+      // Of any class, whatever the pipeline was made with.
+      dynamic.dynamicPrimitiveTopologyUnrestricted,
       // What the states set has to be there too.
       core().depthClamp,
       core().fillModeNonSolid,

@@ -64,7 +64,8 @@ Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver
 // facing in the top bit (uint) at location 1, then the slots. Push constants: uint first_primitive,
 // vertices_per_primitive, first_provoking_vertex.
 //
-// A program with uniforms finds a uniform block of that size at set 0, binding 0, and a sampler2D at binding 1.
+// A program with uniforms finds a storage block (readonly, std140) of that size at set 0, binding 0, and a sampler2D
+// at binding 1.
 struct Program {
   std::string vertex_glsl;
   std::string fragment_glsl;

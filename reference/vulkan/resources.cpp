@@ -10,7 +10,7 @@
 namespace fillrule::vulkan {
 namespace {
 
-// The largest alignment that Vulkan lets a device ask of uniform buffers.
+// The largest alignment that Vulkan lets a device ask of storage buffers.
 constexpr uint64_t kUniformAlignment = 256;
 
 uint64_t uniform_stride(uint32_t bytes) {
@@ -32,7 +32,7 @@ Result<ResourceBinder> ResourceBinder::create(const Device& device, uint32_t uni
 Result<void> ResourceBinder::create_layout() {
   constexpr VkShaderStageFlags kStages = VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT;
   const std::array bindings{VkDescriptorSetLayoutBinding{.binding = 0,
-                                                         .descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                                         .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                                          .descriptorCount = 1,
                                                          .stageFlags = kStages},
                             VkDescriptorSetLayoutBinding{.binding = 1,
@@ -102,7 +102,7 @@ Result<void> ResourceBinder::fit(uint32_t sets) {
   }
   pool_sets_ = std::bit_ceil(sets);
   const std::array sizes{
-      VkDescriptorPoolSize{.type = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, .descriptorCount = pool_sets_},
+      VkDescriptorPoolSize{.type = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, .descriptorCount = pool_sets_},
       VkDescriptorPoolSize{.type = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER, .descriptorCount = pool_sets_}};
   const VkDescriptorPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_DESCRIPTOR_POOL_CREATE_INFO,
                                         .maxSets = pool_sets_,
@@ -113,7 +113,7 @@ Result<void> ResourceBinder::fit(uint32_t sets) {
   if (result != VK_SUCCESS) return failed_call("vkCreateDescriptorPool", result);
   pool_ = DescriptorPool(device_->get(), pool);
   Result<HostBuffer> buffer =
-      HostBuffer::create(*device_, pool_sets_ * uniform_stride(uniform_bytes_), VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT);
+      HostBuffer::create(*device_, pool_sets_ * uniform_stride(uniform_bytes_), VK_BUFFER_USAGE_STORAGE_BUFFER_BIT);
   if (!buffer) return tl::unexpected(buffer.error());
   uniforms_ = std::move(*buffer);
   return {};
@@ -138,7 +138,7 @@ void ResourceBinder::write(VkDescriptorSet set, uint64_t uniform_offset, const S
                                                .dstSet = set,
                                                .dstBinding = 0,
                                                .descriptorCount = 1,
-                                               .descriptorType = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER,
+                                               .descriptorType = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER,
                                                .pBufferInfo = &buffer},
                           VkWriteDescriptorSet{.sType = VK_STRUCTURE_TYPE_WRITE_DESCRIPTOR_SET,
                                                .dstSet = set,

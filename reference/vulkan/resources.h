@@ -1,5 +1,8 @@
-// What a program reads beside its vertices: for each draw a uniform block and a sampled image, in descriptor set 0 at
-// the bindings 0 and 1. Vulkan specification, "Resource Descriptors", "Samplers".
+// What a program reads beside its vertices: for each draw a block of uniforms and a sampled image, in descriptor set
+// 0 at the bindings 0 and 1. Vulkan specification, "Resource Descriptors", "Samplers".
+//
+// The block is in a storage buffer: where branches depend on a uniform buffer, lavapipe puts its values into the
+// shader and compiles it again for each draw.
 //
 // Both bindings of every set are written, the image of a draw without a texture being one white texel: lavapipe
 // breaks down at a combined image sampler that is not, even where no shader reads it.

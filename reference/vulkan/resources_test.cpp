@@ -16,7 +16,7 @@ Program factor_program() {
   Program program = varyings_program();
   program.uniform_bytes = 16;
   program.fragment_glsl = R"(#version 450
-layout(set = 0, binding = 0, std140) uniform Factor { vec4 factor; };
+layout(set = 0, binding = 0, std140) readonly buffer Factor { vec4 factor; };
 layout(set = 0, binding = 1) uniform sampler2D image;
 layout(location = 0) out float hits;
 layout(location = 1) out uint owner;
