@@ -208,6 +208,8 @@ Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
 Result<SuiteRunner> SuiteRunner::create(const RunOptions& options, Candidate candidate) {
   auto state = std::make_unique<State>(State{options, std::move(candidate), std::nullopt, nullptr});
   if (options.reference != kNoReference) {
+    // A candidate that is a driver has its device by now.
+    vulkan::prefer_fast_compilation();
     Result<vulkan::Reference> reference = open_device(options.reference, options.driver_files, options.validation);
     if (!reference) return tl::unexpected(reference.error());
     state->reference.emplace(std::move(*reference));

@@ -9,16 +9,10 @@
 #include "reference/vulkan/submission.h"
 
 namespace fillrule::vulkan {
-namespace {
 
-// Lavapipe compiles a shader when something is drawn with it first. Optimising it takes half of that, which shaders
-// that draw a few thousand pixels do not bring in again; what they compute is the same. Whatever the user has set
-// stays, and so does what is timed by itself (color_draw.h).
 void prefer_fast_compilation() {
   setenv("GALLIVM_PERF", "nopt", 0);
 }
-
-}  // namespace
 
 // Members refer to those above them, which therefore never move.
 struct Reference::State {
@@ -33,7 +27,6 @@ struct Reference::State {
 };
 
 Result<Reference> Reference::create(const Options& options) {
-  prefer_fast_compilation();
   Result<Instance> instance = Instance::create(options.driver_files, options.validation);
   if (!instance) return tl::unexpected(instance.error());
   const Result<PhysicalDevice> physical = instance->choose_device(options.driver);

@@ -95,6 +95,12 @@ struct Options {
   uint64_t bytes_in_flight = uint64_t{32} << 20U;
 };
 
+// Lavapipe compiles a shader when something is drawn with it first. Optimising it takes half of that, which shaders
+// that draw a few thousand pixels do not bring in again; what they compute is the same. It holds for devices that are
+// opened later, in a process that has opened none: a driver that is to be judged is left as it is shipped, and so is
+// what is timed by itself (color_draw.h). Whatever the user has set stays.
+void prefer_fast_compilation();
+
 // One device, kept for all cases. Not for use by two threads at once.
 class Reference {
  public:
