@@ -1,0 +1,45 @@
+// What the window shows of a session, by Dear ImGui and OpenGL: buttons, panes, status, help. The OpenGL context must
+// be current.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "harness/view/input.h"
+#include "harness/view/session.h"
+
+namespace fillrule::view {
+
+class UserInterface {
+ public:
+  UserInterface();
+  ~UserInterface();
+  UserInterface(const UserInterface&) = delete;
+  UserInterface(UserInterface&&) = delete;
+  UserInterface& operator=(const UserInterface&) = delete;
+  UserInterface& operator=(UserInterface&&) = delete;
+
+  // Hands the input to the session, or keeps it if it is for the buttons: the mouse in the bars.
+  void handle(const Input& input, Session& session);
+
+  // Draws everything, and does what buttons are pressed for.
+  void draw(Session& session, int window_width, int window_height, double seconds);
+
+ private:
+  struct Texture {
+    unsigned name = 0;
+    uint64_t stamp = 0;
+  };
+  void draw_buttons(Session& session) const;
+  void draw_pane(const Session::Pane& pane, const Mismatch* mismatch, Texture& texture) const;
+  void draw_help() const;
+
+  std::vector<Texture> textures_;
+  std::array<bool, 3> is_down_{};
+  std::array<bool, 3> was_pressed_{};  // since the last frame
+  glm::dvec2 mouse_{0};
+  int window_height_ = 1;
+};
+
+}  // namespace fillrule::view
