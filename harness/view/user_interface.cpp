@@ -53,8 +53,13 @@ UserInterface::~UserInterface() {
   ImGui::DestroyContext();
 }
 
+void UserInterface::resize(int width, int height) {
+  width_ = width;
+  height_ = height;
+}
+
 void UserInterface::handle(const Input& input, Session& session) {
-  const bool in_bars = mouse_.y < kBarHeight || mouse_.y >= window_height_ - kStatusHeight;
+  const bool in_bars = mouse_.y < kBarHeight || mouse_.y >= height_ - kStatusHeight;
   const auto button = static_cast<size_t>(input.button);
   switch (input.kind) {
     case Input::Kind::kMove:
@@ -125,10 +130,9 @@ void UserInterface::draw_help() const {
   ImGui::End();
 }
 
-void UserInterface::draw(Session& session, int window_width, int window_height, double seconds) {
-  window_height_ = window_height;
+void UserInterface::draw(Session& session, double seconds) {
   ImGuiIO& io = ImGui::GetIO();
-  io.DisplaySize = vector_of(window_width, window_height);
+  io.DisplaySize = vector_of(width_, height_);
   io.DeltaTime = std::max(static_cast<float>(seconds), 1e-4F);
   io.MousePos = {static_cast<float>(mouse_.x), static_cast<float>(mouse_.y)};
   for (size_t i = 0; i < is_down_.size(); ++i) io.MouseDown[i] = is_down_[i] || was_pressed_[i];
@@ -144,11 +148,11 @@ void UserInterface::draw(Session& session, int window_width, int window_height, 
   const std::vector<Session::Pane> panes = session.panes();
   textures_.resize(panes.size());
   for (size_t i = 0; i < panes.size(); ++i) draw_pane(panes[i], session.mismatch(), textures_[i]);
-  ImGui::GetBackgroundDrawList()->AddText(vector_of(4, window_height - kStatusHeight + 5),
+  ImGui::GetBackgroundDrawList()->AddText(vector_of(4, height_ - kStatusHeight + 5),
                                           ImGui::GetColorU32(ImGuiCol_Text), session.status().c_str());
   if (session.shows_help()) draw_help();
   ImGui::Render();
-  glViewport(0, 0, window_width, window_height);
+  glViewport(0, 0, width_, height_);
   glClearColor(0.16F, 0.16F, 0.17F, 1);
   glClear(GL_COLOR_BUFFER_BIT);
   ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());

@@ -20,11 +20,14 @@ class UserInterface {
   UserInterface& operator=(const UserInterface&) = delete;
   UserInterface& operator=(UserInterface&&) = delete;
 
+  // The window's size in pixels.
+  void resize(int width, int height);
+
   // Hands the input to the session, or keeps it if it is for the buttons: the mouse in the bars.
   void handle(const Input& input, Session& session);
 
   // Draws everything, and does what buttons are pressed for.
-  void draw(Session& session, int window_width, int window_height, double seconds);
+  void draw(Session& session, double seconds);
 
  private:
   struct Texture {
@@ -39,7 +42,8 @@ class UserInterface {
   std::array<bool, 3> is_down_{};
   std::array<bool, 3> was_pressed_{};  // since the last frame
   glm::dvec2 mouse_{0};
-  int window_height_ = 1;
+  int width_ = 1;
+  int height_ = 1;
 };
 
 }  // namespace fillrule::view

@@ -172,6 +172,7 @@ Result<Shown> show(Session& session, const WindowOptions& options) {
   for (bool is_last = false; !is_last; ++shown.frames) {
     const Rect size = window.size();
     session.resize(size.width, size.height);
+    interface.resize(size.width, size.height);
     is_last = !source.read(shown.frames, session, inputs) || shown.frames + 1 == options.frames;
     for (const Input& input : inputs) interface.handle(input, session);
     const double seconds = is_live ? seconds_since(last) : kFrameSeconds;
@@ -180,7 +181,7 @@ Result<Shown> show(Session& session, const WindowOptions& options) {
     is_last = is_last || session.is_over();
     shown.drawing_seconds += seconds_since(last);
     if (is_last && !options.screenshot_file.empty()) session.settle();
-    interface.draw(session, size.width, size.height, seconds);
+    interface.draw(session, seconds);
     window.set_title(session.window_title());
     if (is_last && !options.screenshot_file.empty()) {
       if (auto done = write_screenshot(options.screenshot_file, size); !done) return tl::unexpected(done.error());
