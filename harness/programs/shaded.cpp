@@ -45,7 +45,10 @@ glm::vec3 texel_at(const DrawShading& shading, const SurfacePoint& point) {
 
 glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const SurfacePoint& point) {
   const glm::vec3 normal = direction_of(point.normal_world);
-  const glm::vec3 to_eye = direction_of(glm::vec3(uniforms.eye) - point.position_world * uniforms.eye.w);
+  // A highlight without colour adds nothing, and is most of the work.
+  const bool shines = glm::vec3(uniforms.specular) != glm::vec3(0);
+  const glm::vec3 to_eye =
+      shines ? direction_of(glm::vec3(uniforms.eye) - point.position_world * uniforms.eye.w) : glm::vec3(0);
   glm::vec3 diffuse(uniforms.ambient);
   glm::vec3 specular(0);
   for (size_t i = 0; i < static_cast<size_t>(uniforms.lights); ++i) {
@@ -54,6 +57,7 @@ glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const Surf
     if (cosine <= 0) continue;
     const glm::vec3 color(uniforms.light_color[i]);
     diffuse += color * cosine;
+    if (!shines) continue;
     const glm::vec3 reflected = normal * (2 * cosine) - to_light;
     specular += color * power(std::max(glm::dot(reflected, to_eye), 0.0F), uniforms.shininess);
   }

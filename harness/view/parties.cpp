@@ -9,6 +9,7 @@
 #include "harness/programs/shaded.h"
 #include "harness/report/names.h"
 #include "harness/scene/painters.h"
+#include "harness/terminal/worst.h"
 
 namespace fillrule::view {
 namespace {
@@ -51,9 +52,8 @@ std::pair<bool, bool> faults_at(const judge::CaseVerdict& verdict, size_t sample
 }
 
 std::string text_of(const judge::PlaneVerdict& plane, const judge::SampleRecord& record) {
-  const std::string reference = record.reference ? fmt::format(", reference {:.9g}", *record.reference) : "";
-  return fmt::format("({}, {}) {}: {}, candidate {:.9g}{}, exact {:.9g}", record.x, record.y, plane.name,
-                     report::name_of(record.verdict), record.candidate, reference, record.expected);
+  return fmt::format("({}, {}) {}: {}, {}", record.x, record.y, terminal::component_name(plane, record),
+                     report::name_of(record.verdict), terminal::values_text(plane, record));
 }
 
 // One for each pixel.

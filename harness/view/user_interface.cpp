@@ -81,7 +81,7 @@ void UserInterface::handle(const Input& input, Session& session) {
   session.handle(input);
 }
 
-void UserInterface::draw_buttons(Session& session) const {
+void UserInterface::draw_buttons(Session& session) {
   for (const ActionRow& action : actions()) {
     if (action.button.empty()) continue;
     if (ImGui::Button(std::string(action.button).c_str())) session.do_action(action, {});
@@ -94,7 +94,7 @@ void UserInterface::draw_buttons(Session& session) const {
   }
 }
 
-void UserInterface::draw_pane(const Session::Pane& pane, const Mismatch* mismatch, Texture& texture) const {
+void UserInterface::draw_pane(const Session::Pane& pane, const Mismatch* mismatch, Texture& texture) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   list.AddText(vector_of(pane.room.x + 4, pane.room.y - static_cast<int>(kTitleHeight)),
                ImGui::GetColorU32(ImGuiCol_Text), pane.title.c_str());
@@ -119,13 +119,21 @@ void UserInterface::draw_pane(const Session::Pane& pane, const Mismatch* mismatc
   list.PopClipRect();
 }
 
-void UserInterface::draw_help() const {
-  ImGui::SetNextWindowPos({8, static_cast<float>(kBarHeight)});
+void UserInterface::draw_help() {
+  ImGui::SetNextWindowPos({8, static_cast<float>(kBarHeight) + 8});
   ImGui::Begin("help", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-  for (const HelpLine& line : help_lines()) {
-    text(line.keys);
-    ImGui::SameLine(170);
-    text(std::string(line.help));
+  // In two halves side by side, each of keys and what they do.
+  constexpr float kKeysWidth = 210;
+  constexpr float kHelpWidth = 340;
+  const std::vector<HelpLine> lines = help_lines();
+  const size_t rows = (lines.size() + 1) / 2;
+  for (size_t i = 0; i < lines.size(); ++i) {
+    const float left = i < rows ? 8 : 8 + kKeysWidth + kHelpWidth;
+    const float top = 8 + static_cast<float>(i % rows) * ImGui::GetTextLineHeightWithSpacing();
+    ImGui::SetCursorPos({left, top});
+    text(lines[i].keys);
+    ImGui::SetCursorPos({left + kKeysWidth, top});
+    text(std::string(lines[i].help));
   }
   ImGui::End();
 }

@@ -34,9 +34,9 @@ class UserInterface {
     unsigned name = 0;
     uint64_t stamp = 0;
   };
-  void draw_buttons(Session& session) const;
-  void draw_pane(const Session::Pane& pane, const Mismatch* mismatch, Texture& texture) const;
-  void draw_help() const;
+  static void draw_buttons(Session& session);
+  static void draw_pane(const Session::Pane& pane, const Mismatch* mismatch, Texture& texture);
+  static void draw_help();
 
   std::vector<Texture> textures_;
   std::array<bool, 3> is_down_{};
