@@ -22,13 +22,19 @@ ImVec2 vector_of(int x, int y) {
   return {static_cast<float>(x), static_cast<float>(y)};
 }
 
-void upload(unsigned texture, const Image& image) {
+// Into a texture of the same size, if it is one.
+void upload(unsigned texture, const Image& image, bool same_size) {
   glBindTexture(GL_TEXTURE_2D, texture);
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  const auto width = static_cast<int>(image.width);
+  const auto height = static_cast<int>(image.height);
+  if (same_size) {
+    glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
+    return;
+  }
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, static_cast<int>(image.width), static_cast<int>(image.height), 0, GL_RGBA,
-               GL_UNSIGNED_BYTE, image.rgba.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, width, height, 0, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
 }
 
 // Text of our own, which no format may be read in.
@@ -100,8 +106,12 @@ void UserInterface::draw_pane(const Session::Pane& pane, const Mismatch* mismatc
                ImGui::GetColorU32(ImGuiCol_Text), pane.title.c_str());
   if (pane.image == nullptr) return;
   if (texture.name == 0) glGenTextures(1, &texture.name);
-  if (texture.stamp != pane.stamp) upload(texture.name, *pane.image);
-  texture.stamp = pane.stamp;
+  if (texture.stamp != pane.stamp) {
+    const glm::uvec2 size(pane.image->width, pane.image->height);
+    upload(texture.name, *pane.image, texture.size == size);
+    texture.size = size;
+    texture.stamp = pane.stamp;
+  }
   const Rect& rect = pane.placement.rect;
   const Rect& room = pane.room;
   list.PushClipRect(vector_of(room.x, room.y), vector_of(room.x + room.width, room.y + room.height));

@@ -4,6 +4,8 @@
 
 #include <array>
 #include <cstdint>
+#include <glm/ext/vector_uint2.hpp>
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "harness/view/input.h"
@@ -32,6 +34,7 @@ class UserInterface {
  private:
   struct Texture {
     unsigned name = 0;
+    glm::uvec2 size{0, 0};  // pixels
     uint64_t stamp = 0;
   };
   static void draw_buttons(Session& session);
