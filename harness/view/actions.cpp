@@ -9,7 +9,7 @@ namespace {
 using enum Trigger;
 using enum During;
 
-constexpr std::string_view kButtonNames[] = {"left", "middle", "right"};
+constexpr std::array<std::string_view, 3> kButtonNames{"left", "middle", "right"};
 
 constexpr std::array kActions{
     ActionRow{Action::kConfirm, kDrag, "left", kTransform, "", "leave the model as it is now", true},
@@ -110,6 +110,7 @@ std::vector<std::string> key_names() {
 
 std::vector<HelpLine> help_lines() {
   std::vector<HelpLine> lines;
+  lines.reserve(kActions.size());
   for (const ActionRow& row : kActions) lines.push_back({.keys = keys_of(row), .help = row.help});
   return lines;
 }

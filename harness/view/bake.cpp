@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <system_error>
+#include <utility>
 
 #include "cases/format/writer.h"
 #include "harness/report/pictures.h"
@@ -40,10 +41,10 @@ Result<std::string> bake(const Case& built, const std::string& folder) {
   const std::string text = format::write(baked);
   for (uint32_t number = 1; number <= kMostViews; ++number) {
     const std::string name = fmt::format("{}_view_{}.toml", stem_of(built), number);
-    const std::string path = (std::filesystem::path(folder) / name).string();
+    std::string path = (std::filesystem::path(folder) / name).string();
     // "x": fails if it is there, whoever has made it meanwhile.
     std::FILE* const file = std::fopen(path.c_str(), "wx");
-    if (file != nullptr) return write_to(file, path, text).map([&] { return path; });
+    if (file != nullptr) return write_to(file, path, text).map([&] { return std::move(path); });
     if (errno != EEXIST) {
       return tl::unexpected(
           Error{.file = path, .what = "cannot be written: " + std::generic_category().message(errno)});

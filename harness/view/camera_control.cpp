@@ -18,7 +18,8 @@ constexpr double kRoom = 1.05;        // round a ball that is framed
 constexpr double kFieldOfView = 45;   // degrees, of a scene that has none
 
 glm::dmat3 rotation(double radians, const glm::dvec3& axis) {
-  return glm::dmat3(glm::rotate(glm::dmat4(1), radians, axis));
+  const glm::dmat3 matrix(glm::rotate(glm::dmat4(1), radians, axis));
+  return matrix;
 }
 
 Vector3 array_of(const glm::dvec3& vector) {

@@ -9,6 +9,7 @@ std::vector<Rect> panes_of(int window_width, int window_height, size_t panes) {
   const int width = std::max((window_width - (count - 1) * kGap) / count, 1);
   const int height = std::max(window_height - kBarHeight - kStatusHeight, 1);
   std::vector<Rect> rects;
+  rects.reserve(panes);
   for (int i = 0; i < count; ++i) {
     rects.push_back({.x = i * (width + kGap), .y = kBarHeight, .width = width, .height = height});
   }

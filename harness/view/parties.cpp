@@ -68,7 +68,7 @@ std::vector<Mismatch> mismatches_of(const judge::CaseVerdict& verdict) {
                    [](const auto& a, const auto& b) { return judge::graver(a.first, b.first); });
   std::vector<Mismatch> mismatches;
   for (const auto& [record, plane] : records) {
-    const auto is_there = [&](const Mismatch& one) { return one.x == record.x && one.y == record.y; };
+    const auto is_there = [x = record.x, y = record.y](const Mismatch& one) { return one.x == x && one.y == y; };
     if (std::any_of(mismatches.begin(), mismatches.end(), is_there)) continue;
     mismatches.push_back({.x = record.x, .y = record.y, .text = text_of(*plane, record)});
   }

@@ -59,7 +59,9 @@ std::optional<Input> button_input(const SDL_MouseButtonEvent& event) {
 std::optional<Input> input_of(const SDL_Event& event) {
   switch (event.type) {
     case SDL_MOUSEMOTION:
-      return Input{.kind = Input::Kind::kMove, .x = double(event.motion.x), .y = double(event.motion.y)};
+      return Input{.kind = Input::Kind::kMove,
+                   .x = static_cast<double>(event.motion.x),
+                   .y = static_cast<double>(event.motion.y)};
     case SDL_MOUSEWHEEL:
       return Input{.kind = Input::Kind::kWheel, .y = double{event.wheel.preciseY}};
     case SDL_MOUSEBUTTONDOWN:

@@ -1,52 +1,22 @@
 #include "harness/view/session.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <utility>
 
-#include "harness/scene/build.h"
 #include "harness/view/bake.h"
+#include "harness/view/gallery.h"
 
 namespace fillrule::view {
-namespace {
-
-using Job = std::shared_ptr<const Drawable>;
-
-struct Drawn {
-  uint64_t version = 0;  // of the view
-  Image image;
-  std::string error;
-  uint64_t stamp = 0;  // of the image
-};
-
-struct JudgedOutcome {
-  Judged judged;
-  std::string error;
-  uint64_t stamp = 0;
-};
-
-Drawn drawn_by(const Draws& draws, const Drawable& drawable) {
-  Drawn drawn{.version = drawable.version};
-  if (const Result<void> done = draws(drawable, drawn.image); !done) drawn.error = to_string(done.error());
-  return drawn;
-}
-
-}  // namespace
-
 struct Session::State {
   SessionOptions options;
   View view;
-  Draws candidate_draws;
+  std::unique_ptr<Gallery> gallery;
 
-  std::optional<uint64_t> drawn_version;  // of the view, that the candidate has drawn
-  Drawn candidate;
-  std::optional<Drawn> reference;
-  std::optional<JudgedOutcome> judged;
-  uint64_t stamp = 0;  // the last one that was given to an image
   size_t mismatch = 0;
   bool looks_at_mismatch = false;
-
   int window_width = 1;
   int window_height = 1;
   glm::dvec2 mouse{0};
@@ -56,101 +26,50 @@ struct Session::State {
   bool shows_help = false;
   bool is_over = false;
 
-  // Last, so that they end before what they use.
-  std::unique_ptr<LatestWorker<Job, Drawn>> reference_worker;
-  std::unique_ptr<LatestWorker<Job, JudgedOutcome>> judge_worker;
+  State(SessionOptions the_options, View the_view, std::unique_ptr<Gallery> the_gallery)
+      : options(std::move(the_options)), view(std::move(the_view)), gallery(std::move(the_gallery)) {}
 
-  State(SessionOptions the_options, View the_view, Draws draws)
-      : options(std::move(the_options)), view(std::move(the_view)), candidate_draws(std::move(draws)) {}
+  [[nodiscard]] size_t pane_count() const { return gallery->has_reference() ? 3 : gallery->has_judge() ? 2 : 1; }
 
-  [[nodiscard]] bool has_reference() const { return options.is_judged && options.run.reference != run::kNoReference; }
-
-  void start_workers(run::SuiteRunner runner) {
-    const auto shared = std::make_shared<run::SuiteRunner>(std::move(runner));
-    judge_worker = std::make_unique<LatestWorker<Job, JudgedOutcome>>([shared](const Job& job) {
-      const Result<Judged> result = judge_view(*shared, *job);
-      if (result) return JudgedOutcome{.judged = *result};
-      return JudgedOutcome{.judged = {.version = job->version}, .error = to_string(result.error())};
-    });
-    if (!has_reference() || !view.is_scene()) return;
-    reference_worker = std::make_unique<LatestWorker<Job, Drawn>>(
-        [draws = reference_draws(options.run)](const Job& job) { return drawn_by(draws, *job); });
-  }
-
-  void draw() {
-    drawn_version = view.changes();
-    Result<Drawable> drawable = view.drawable();
-    if (!drawable) {
-      candidate.error = to_string(drawable.error());
-      return;
-    }
-    const Job job = std::make_shared<const Drawable>(std::move(*drawable));
-    candidate.version = job->version;
-    const Result<void> done = candidate_draws(*job, candidate.image);
-    candidate.error = done ? "" : to_string(done.error());
-    candidate.stamp = ++stamp;
-    if (reference_worker) reference_worker->submit(job);
-    if (judge_worker) judge_worker->submit(job);
-  }
-
-  void take() {
-    if (reference_worker) {
-      if (auto drawn = reference_worker->take()) {
-        reference = std::move(drawn);
-        reference->stamp = ++stamp;
-      }
-    }
-    if (!judge_worker) return;
-    auto outcome = judge_worker->take();
-    if (!outcome) return;
-    judged = std::move(outcome);
-    judged->stamp = ++stamp;
-    mismatch = 0;
-    looks_at_mismatch = false;
-    if (view.is_scene() || !judged->error.empty()) return;
-    // In colours of both parties' range.
-    if (judged->judged.version == candidate.version) {
-      candidate.image = judged->judged.candidate;
-      candidate.stamp = ++stamp;
-    }
-    if (!judged->judged.reference) return;
-    reference = Drawn{.version = judged->judged.version, .image = *judged->judged.reference, .stamp = ++stamp};
-  }
-
-  [[nodiscard]] bool is_judged_now() const {
-    return judged && judged->error.empty() && judged->judged.version == drawn_version;
+  void fill(Pane& pane, const Image& image, uint64_t version, uint64_t stamp) const {
+    if (image.rgba.empty()) return;
+    pane.image = &image;
+    pane.stamp = stamp;
+    pane.placement = place(pane.room, image.width, image.height);
+    if (version != gallery->version()) pane.title += " (of an earlier view)";
   }
 
   [[nodiscard]] std::vector<Pane> panes() const {
-    const size_t count = options.is_judged ? (has_reference() ? 3 : 2) : 1;
-    std::vector<Pane> panes;
-    for (const Rect& room : panes_of(window_width, window_height, count)) panes.push_back({.room = room});
-    const auto fill = [&](Pane& pane, const char* name, const Image* image, uint64_t version, uint64_t image_stamp) {
-      pane.title = name;
-      pane.image = image != nullptr && !image->rgba.empty() ? image : nullptr;
-      pane.stamp = image_stamp;
-      if (pane.image == nullptr) return;
-      pane.placement = place(pane.room, pane.image->width, pane.image->height);
-      if (version != drawn_version) pane.title += " (of an earlier view)";
-    };
-    fill(panes.front(), "candidate", candidate.error.empty() ? &candidate.image : nullptr, candidate.version,
-         candidate.stamp);
-    if (has_reference()) fill(panes[1], "reference", nullptr, 0, 0);
-    if (has_reference() && reference) {
-      fill(panes[1], "reference", &reference->image, reference->version, reference->stamp);
+    std::vector<Pane> panes(pane_count());
+    const std::vector<Rect> rooms = panes_of(window_width, window_height, panes.size());
+    for (size_t i = 0; i < panes.size(); ++i) panes[i].room = rooms[i];
+    const Picture& candidate = gallery->candidate();
+    panes.front().title = "candidate";
+    if (candidate.error.empty()) fill(panes.front(), candidate.image, candidate.version, candidate.stamp);
+    if (gallery->has_reference()) {
+      panes[1].title = "reference";
+      const auto& reference = gallery->reference();
+      if (reference) fill(panes[1], reference->image, reference->version, reference->stamp);
     }
-    if (options.is_judged) fill(panes.back(), "difference", nullptr, 0, 0);
-    if (options.is_judged && judged) {
-      fill(panes.back(), "difference", &judged->judged.difference, judged->judged.version, judged->stamp);
+    if (gallery->has_judge()) {
+      panes.back().title = "difference";
+      const auto& verdict = gallery->verdict();
+      if (verdict) fill(panes.back(), verdict->judged.difference, verdict->judged.version, verdict->stamp);
     }
     return panes;
+  }
+
+  void take() {
+    if (!gallery->take()) return;
+    mismatch = 0;
+    looks_at_mismatch = false;
   }
 
   // Where the mouse is on the picture of the pane that it is in, or was when its button was pressed.
   [[nodiscard]] glm::dvec2 picture_point() const {
     const std::vector<Pane> all = panes();
     const Pane& pane = all[std::min(mouse_pane, all.size() - 1)];
-    const Image& image = candidate.image;
+    const Image& image = gallery->candidate().image;
     return place(pane.room, image.width, image.height).picture_point(mouse);
   }
 
@@ -166,9 +85,10 @@ struct Session::State {
   }
 
   [[nodiscard]] std::string next_mismatch() {
-    if (!judge_worker) return "nobody judges: there is no reference";
-    if (!is_judged_now()) return "not judged yet";
-    const std::vector<Mismatch>& all = judged->judged.mismatches;
+    if (!gallery->has_judge()) return "nobody judges: there is no reference";
+    const Judged* const judged = gallery->current_verdict();
+    if (judged == nullptr) return "not judged yet";
+    const std::vector<Mismatch>& all = judged->mismatches;
     if (all.empty()) return "no mismatch";
     mismatch = looks_at_mismatch ? (mismatch + 1) % all.size() : 0;
     looks_at_mismatch = true;
@@ -209,21 +129,15 @@ Session& Session::operator=(Session&&) noexcept = default;
 Session::~Session() = default;
 
 Result<Session> Session::create(Case looked_at, const SessionOptions& options) {
-  Result<Draws> draws = candidate_draws(options.run);
-  if (!draws) return tl::unexpected(draws.error());
   Result<View> view = View::create(std::move(looked_at));
   if (!view) return tl::unexpected(view.error());
-  auto state = std::make_unique<State>(options, std::move(*view), std::move(*draws));
-  if (options.is_judged) {
-    Result<run::SuiteRunner> runner = run::SuiteRunner::create(options.run);
-    if (!runner) return tl::unexpected(runner.error());
-    state->start_workers(std::move(*runner));
-  }
-  return Session(std::move(state));
+  auto gallery = Gallery::create(options.run, options.is_judged, view->is_scene());
+  if (!gallery) return tl::unexpected(gallery.error());
+  return Session(std::make_unique<State>(options, std::move(*view), std::move(*gallery)));
 }
 
 size_t Session::pane_count() const {
-  return state_->panes().size();
+  return state_->pane_count();
 }
 
 bool Session::is_scene() const {
@@ -268,14 +182,13 @@ void Session::do_action(const ActionRow& action, const Input& input) {
 
 void Session::advance(double seconds) {
   state_->view.update(seconds);
-  if (state_->drawn_version != state_->view.changes()) state_->draw();
+  state_->gallery->draw(state_->view);
   state_->take();
 }
 
 void Session::settle() {
   advance(0);
-  if (state_->reference_worker) state_->reference_worker->wait();
-  if (state_->judge_worker) state_->judge_worker->wait();
+  state_->gallery->wait();
   state_->take();
 }
 
@@ -284,33 +197,26 @@ std::vector<Session::Pane> Session::panes() const {
 }
 
 const Mismatch* Session::mismatch() const {
-  const State& state = *state_;
-  return state.looks_at_mismatch && state.is_judged_now() ? &state.judged->judged.mismatches[state.mismatch]
-                                                          : nullptr;
+  const Judged* const judged = state_->gallery->current_verdict();
+  return state_->looks_at_mismatch && judged != nullptr ? &judged->mismatches[state_->mismatch] : nullptr;
 }
 
 std::string Session::window_title() const {
-  const State& state = *state_;
-  const std::string title = "fillrule view: " + state.view.name();
-  if (!state.judge_worker) return title;
-  if (!state.is_judged_now()) return title + ": judging";
-  const Judged& judged = state.judged->judged;
-  return fmt::format("{}: {} mismatches of the candidate, {} of the reference", title, judged.candidate_faults,
-                     judged.reference_faults);
+  const std::string name = fmt::format("fillrule view: {}", state_->view.name());
+  if (!state_->gallery->has_judge()) return {name};
+  const Judged* const judged = state_->gallery->current_verdict();
+  if (judged == nullptr) return fmt::format("{}: judging", name);
+  return fmt::format("{}: {} mismatches of the candidate, {} of the reference", name, judged->candidate_faults,
+                     judged->reference_faults);
 }
 
 std::string Session::status() const {
-  const State& state = *state_;
-  if (!state.candidate.error.empty()) return state.candidate.error;
-  if (state.judged && !state.judged->error.empty()) return state.judged->error;
-  if (state.reference && !state.reference->error.empty()) return state.reference->error;
-  std::string text = state.view.state_text();
-  const auto add = [&text](const std::string& more) {
-    if (!more.empty()) text += (text.empty() ? "" : " | ") + more;
-  };
-  add(state.told);
-  if (state.is_judged_now()) add(state.judged->judged.colors);
-  return text;
+  if (std::string error = state_->gallery->error(); !error.empty()) return error;
+  const Judged* const judged = state_->gallery->current_verdict();
+  std::vector<std::string> parts{state_->view.state_text(), state_->told};
+  if (judged != nullptr) parts.push_back(judged->colors);
+  std::erase(parts, "");
+  return fmt::format("{}", fmt::join(parts, " | "));
 }
 
 bool Session::shows_help() const {

@@ -1,8 +1,4 @@
-// Everything behind the window: a view, who draws it, and who judges it.
-//
-// The candidate draws at once, in the caller's thread. The reference draws, and the judge judges, in threads of their
-// own, always the newest view; their panes show the newest finished result, which may be of an earlier view while
-// something moves. Every picture is drawn apart and shown when it is whole.
+// Everything behind the window: a view, its pictures, and what the user does and is told.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +12,6 @@
 #include "harness/run/suite_runner.h"
 #include "harness/view/image.h"
 #include "harness/view/input.h"
-#include "harness/view/latest_worker.h"
 #include "harness/view/layout.h"
 #include "harness/view/parties.h"
 #include "harness/view/view.h"

@@ -10,6 +10,7 @@
 #include "harness/scene/model_scene.h"
 #include "harness/scene/test_scenes.h"
 #include "harness/view/bake.h"
+#include "harness/view/latest_worker.h"
 
 namespace fillrule::view {
 namespace {

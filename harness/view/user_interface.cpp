@@ -139,7 +139,7 @@ void UserInterface::draw_help() {
   const size_t rows = (lines.size() + 1) / 2;
   for (size_t i = 0; i < lines.size(); ++i) {
     const float left = i < rows ? 8 : 8 + kKeysWidth + kHelpWidth;
-    const float top = 8 + static_cast<float>(i % rows) * ImGui::GetTextLineHeightWithSpacing();
+    const float top = 8 + static_cast<float>(i < rows ? i : i - rows) * ImGui::GetTextLineHeightWithSpacing();
     ImGui::SetCursorPos({left, top});
     text(lines[i].keys);
     ImGui::SetCursorPos({left + kKeysWidth, top});

@@ -55,18 +55,10 @@ bool fits_any_size(const Scene& scene) {
   return perspective != nullptr && !perspective->aspect;
 }
 
-bool is_culling(const RasterState& state) {
-  return state.cull_mode != VK_CULL_MODE_NONE;
-}
-
-bool is_wireframe(const RasterState& state) {
-  return state.polygon_mode == VK_POLYGON_MODE_LINE;
-}
-
 }  // namespace
 
 View::View(Case looked_at, std::unique_ptr<scene::Assets> assets)
-    : case_(std::move(looked_at)), assets_(std::move(assets)) {}
+    : case_(std::move(looked_at)), assets_(std::move(assets)), switches_(case_) {}
 
 Result<View> View::create(Case looked_at) {
   View view(std::move(looked_at), std::make_unique<scene::Assets>());
@@ -90,7 +82,7 @@ void View::resize(uint32_t width, uint32_t height) {
 
 glm::uvec2 View::picture_size() const {
   const Target& target = case_.target;
-  if (!is_scene() || switches_.own_size) return {target.width, target.height};
+  if (!is_scene() || switches_.own_size()) return {target.width, target.height};
   if (fits_any_size(*case_.scene)) return room_;
   const double aspect = static_cast<double>(target.width) / target.height;
   const auto length = [](double pixels) { return std::max(static_cast<uint32_t>(std::lround(pixels)), 1U); };
@@ -125,12 +117,16 @@ std::string View::begin(const ActionRow& action, const Input& input, const glm::
     reset();
     return {};
   }
-  if (std::string told = do_switch(action.action); !told.empty()) return told;
+  if (std::string told = switches_.flip(action.action); !told.empty()) {
+    fit_camera();
+    ++changes_;
+    return told;
+  }
   return is_scene() ? do_scene_action(action.action, input, mouse) : std::string();
 }
 
 void View::reset() {
-  switches_ = {};
+  switches_ = Switches(case_);
   fit_camera();
   nudged_ = glm::ivec2(0);
   if (camera_) camera_->reset();
@@ -155,33 +151,6 @@ void View::nudge(Action action, bool far) {
   const Case now = current_scene();
   if (const auto ball = ball_around(now, models_->object(), *assets_)) {
     models_->nudge(ball->centre, lens_of(*now.scene), by);
-  }
-}
-
-std::string View::do_switch(Action action) {
-  const auto toggle = [this](bool& value) { value = !value, ++changes_; };
-  const auto on_off = [](bool value) { return value ? "on" : "off"; };
-  switch (action) {
-    case Action::kWireframe:
-      switches_.wireframe = !switches_.wireframe.value_or(is_wireframe(state()));
-      ++changes_;
-      return *switches_.wireframe ? "wireframe" : "filled";
-    case Action::kCulling:
-      switches_.culling = !switches_.culling.value_or(is_culling(state()));
-      ++changes_;
-      return fmt::format("culling {}", on_off(*switches_.culling));
-    case Action::kTexture:
-      toggle(switches_.texture);
-      return fmt::format("textures {}", on_off(switches_.texture));
-    case Action::kLights:
-      toggle(switches_.lights);
-      return fmt::format("lights {}", on_off(switches_.lights));
-    case Action::kOwnSize:
-      toggle(switches_.own_size);
-      fit_camera();
-      return switches_.own_size ? "as large as in the file" : "as large as the window";
-    default:
-      return {};
   }
 }
 
@@ -280,25 +249,10 @@ uint64_t View::changes() const {
   return changes_ + (camera_ ? camera_->changes() : 0) + (models_ ? models_->changes() : 0);
 }
 
-const RasterState& View::state() const {
-  static const RasterState kUsual;
-  if (case_.scene) return case_.scene->state;
-  return case_.draws.empty() ? kUsual : case_.draws.front().state;
-}
-
-void View::apply_switches(RasterState& state) const {
-  if (switches_.wireframe) state.polygon_mode = *switches_.wireframe ? VK_POLYGON_MODE_LINE : VK_POLYGON_MODE_FILL;
-  if (switches_.culling) state.cull_mode = *switches_.culling ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
-}
-
 Case View::current_scene() const {
   Scene scene = *case_.scene;
   models_->apply(scene);
-  apply_switches(scene.state);
-  if (!switches_.lights) scene.lighting.reset();
-  for (SceneObject& object : scene.objects) {
-    if (!switches_.texture) object.material.texture.reset();
-  }
+  switches_.apply(scene);
   camera_->apply(scene);
   const glm::uvec2 size = picture_size();
   return scene::resized(scene::with_scene(case_, std::move(scene)), size.x, size.y);
@@ -307,7 +261,7 @@ Case View::current_scene() const {
 Case View::current_case() const {
   Case now = case_;
   for (Draw& draw : now.draws) {
-    apply_switches(draw.state);
+    switches_.apply(draw.state);
     const VkViewport& viewport = draw.state.viewport;
     const float x = 2 * static_cast<float>(nudged_.x) / (kSubpixelsInPixel * viewport.width);
     const float y = -2 * static_cast<float>(nudged_.y) / (kSubpixelsInPixel * viewport.height);

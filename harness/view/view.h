@@ -15,6 +15,7 @@
 #include "harness/view/camera_control.h"
 #include "harness/view/model_control.h"
 #include "harness/view/parties.h"
+#include "harness/view/switches.h"
 
 namespace fillrule::view {
 
@@ -50,25 +51,13 @@ class View {
   [[nodiscard]] std::string state_text() const;
 
  private:
-  // What can be turned on and off; nothing where it is as in the file.
-  struct Switches {
-    std::optional<bool> wireframe;
-    std::optional<bool> culling;
-    bool texture = true;
-    bool lights = true;
-    bool own_size = false;
-  };
-
   View(Case looked_at, std::unique_ptr<scene::Assets> assets);
   std::string do_scene_action(Action action, const Input& input, const glm::dvec2& mouse);
-  std::string do_switch(Action action);
   std::string start_transform(ModelControl::Mode mode, const glm::dvec2& mouse);
   void reset();
   void nudge(Action action, bool far);
-  void apply_switches(RasterState& state) const;
   void fit_camera();
   [[nodiscard]] glm::uvec2 picture_size() const;
-  [[nodiscard]] const RasterState& state() const;
   [[nodiscard]] Case current_scene() const;
   [[nodiscard]] Case current_case() const;
 
