@@ -15,17 +15,20 @@ TEST(EventFile, IsReadLineByLine) {
       "key shift+up\ndown w\nup w\nwait\r\n",
       "e.txt");
   ASSERT_TRUE(events) << to_string(events.error());
-  ASSERT_EQ(events->size(), 9U);
-  EXPECT_EQ((*events)[0], (RecordedInput{0, {.kind = Input::Kind::kMove, .x = 10.5, .y = -3}}));
-  EXPECT_EQ((*events)[1], (RecordedInput{0, {.kind = Input::Kind::kPress, .button = MouseButton::kMiddle}}));
-  EXPECT_EQ((*events)[2], (RecordedInput{7, {.kind = Input::Kind::kRelease, .button = MouseButton::kMiddle}}));
-  EXPECT_EQ((*events)[3], (RecordedInput{7, {.kind = Input::Kind::kWheel, .y = -2}}));
-  EXPECT_EQ((*events)[4],
-            (RecordedInput{7, {.kind = Input::Kind::kKeyDown, .key = "up", .place = "up", .shift = true}}));
-  EXPECT_EQ((*events)[5].input.kind, Input::Kind::kKeyUp);
-  EXPECT_EQ((*events)[6].input.kind, Input::Kind::kKeyDown);
-  EXPECT_EQ((*events)[7].input.kind, Input::Kind::kKeyUp);
-  EXPECT_EQ((*events)[8].input.kind, Input::Kind::kWait);
+  using Kind = Input::Kind;
+  const auto key = [](Kind kind, const char* name, bool shift) {
+    return RecordedInput{7, {.kind = kind, .key = name, .place = name, .shift = shift}};
+  };
+  const std::vector<RecordedInput> expected{{0, {.kind = Kind::kMove, .x = 10.5, .y = -3}},
+                                            {0, {.kind = Kind::kPress, .button = MouseButton::kMiddle}},
+                                            {7, {.kind = Kind::kRelease, .button = MouseButton::kMiddle}},
+                                            {7, {.kind = Kind::kWheel, .y = -2}},
+                                            key(Kind::kKeyDown, "up", true),
+                                            key(Kind::kKeyUp, "up", true),
+                                            key(Kind::kKeyDown, "w", false),
+                                            key(Kind::kKeyUp, "w", false),
+                                            {7, {.kind = Kind::kWait}}};
+  EXPECT_EQ(*events, expected);
 }
 
 TEST(EventFile, IsWrittenAsItIsRead) {
