@@ -43,12 +43,16 @@ glm::vec3 texel_at(const DrawShading& shading, const SurfacePoint& point) {
   return {texel[0], texel[1], texel[2]};
 }
 
+// A highlight without colour adds nothing, and is most of the work.
+bool shines(const ShadingUniforms& uniforms) {
+  return uniforms.lights > 0 && glm::vec3(uniforms.specular) != glm::vec3(0);
+}
+
 glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const SurfacePoint& point) {
   const glm::vec3 normal = direction_of(point.normal_world);
-  // A highlight without colour adds nothing, and is most of the work.
-  const bool shines = glm::vec3(uniforms.specular) != glm::vec3(0);
+  const bool has_highlights = shines(uniforms);
   const glm::vec3 to_eye =
-      shines ? direction_of(glm::vec3(uniforms.eye) - point.position_world * uniforms.eye.w) : glm::vec3(0);
+      has_highlights ? direction_of(glm::vec3(uniforms.eye) - point.position_world * uniforms.eye.w) : glm::vec3(0);
   glm::vec3 diffuse(uniforms.ambient);
   glm::vec3 specular(0);
   for (size_t i = 0; i < static_cast<size_t>(uniforms.lights); ++i) {
@@ -57,7 +61,7 @@ glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const Surf
     if (cosine <= 0) continue;
     const glm::vec3 color(uniforms.light_color[i]);
     diffuse += color * cosine;
-    if (!shines) continue;
+    if (!has_highlights) continue;
     const glm::vec3 reflected = normal * (2 * cosine) - to_light;
     specular += color * power(std::max(glm::dot(reflected, to_eye), 0.0F), uniforms.shininess);
   }
@@ -146,7 +150,9 @@ SurfacePoint ShadedSurface::point_of(const Corners& v, const renderer::Fragment&
   const renderer::PixelWeights weights = fragment.weights();
   const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], weights.smooth); };
   const auto vector = [&](uint32_t i) { return glm::vec3(value(i), value(i + 1), value(i + 2)); };
-  SurfacePoint point{.position_world = vector(kPositionComponent), .normal_world = vector(kNormalComponent)};
+  SurfacePoint point;
+  if (shines(shading_->uniforms)) point.position_world = vector(kPositionComponent);
+  if (shading_->uniforms.lights >= 0) point.normal_world = vector(kNormalComponent);
   if (shading_->uniforms.textured == 0) return point;
   point.uv = uv_with(v, weights);
   if (shading_->uniforms.mipmapped == 0) return point;

@@ -202,8 +202,8 @@ const Mismatch* Session::mismatch() const {
 }
 
 std::string Session::window_title() const {
-  const std::string name = fmt::format("fillrule view: {}", state_->view.name());
-  if (!state_->gallery->has_judge()) return {name};
+  std::string name = fmt::format("fillrule view: {}", state_->view.name());
+  if (!state_->gallery->has_judge()) return name;
   const Judged* const judged = state_->gallery->current_verdict();
   if (judged == nullptr) return fmt::format("{}: judging", name);
   return fmt::format("{}: {} mismatches of the candidate, {} of the reference", name, judged->candidate_faults,

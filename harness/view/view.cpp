@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -284,8 +285,8 @@ Result<Drawable> View::drawable() {
 
 std::string View::state_text() const {
   if (!is_scene()) return {};
-  constexpr const char* kModes[] = {"", "move", "rotate", "scale"};
-  constexpr const char* kAxes[] = {" x", " y", " z"};
+  constexpr std::array<const char*, 4> kModes{"", "move", "rotate", "scale"};
+  constexpr std::array<const char*, 3> kAxes{" x", " y", " z"};
   const std::string axis = models_->axis() ? kAxes[static_cast<size_t>(*models_->axis())] : "";
   if (during() == During::kTransform) return kModes[static_cast<size_t>(models_->mode())] + axis;
   return camera_->grab() == Grab::kFly ? "fly" : "";
