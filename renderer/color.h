@@ -104,16 +104,10 @@ inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolati
 // Clamped to [0, 1], NaN to 0, and to the nearest of 256 codes, ties to even.
 template <typename L>
 [[gnu::always_inline]] inline typename L::Int packed_unorm8(const Color<L>& color) {
-  const auto code = [](typename L::Float value) __attribute__((always_inline)) {
-    value = value > L::all(0.0F) ? value : L::all(0.0F);
-    value = value < L::all(1.0F) ? value : L::all(1.0F);
-    return L::bits_of(value * L::all(255.0F) + L::all(0x1.8p23F));  // leaves no bit for a fraction
+  const auto codes = [](const typename L::Float& value) __attribute__((always_inline)) {
+    return L::lesser(L::greater(value, L::all(0.0F)), L::all(1.0F)) * L::all(255.0F);
   };
-  // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.
-  constexpr uint32_t kNoFraction = 0x4B400000;
-  constexpr auto kRest =
-      static_cast<int32_t>(kNoFraction ^ kNoFraction << 8U ^ kNoFraction << 16U ^ kNoFraction << 24U);
-  return code(color[0]) ^ code(color[1]) << 8 ^ code(color[2]) << 16 ^ code(color[3]) << 24 ^ kRest;
+  return L::packed_bytes(codes(color[0]), codes(color[1]), codes(color[2]), codes(color[3]));
 }
 
 }  // namespace fillrule::renderer

@@ -6,188 +6,114 @@
 
 #include "renderer/bresenham_line.h"
 #include "renderer/clip.h"
-#include "renderer/edge_function.h"
+#include "renderer/edge_fill.h"
 #include "renderer/scanline.h"
 
 namespace fillrule::renderer {
 namespace {
 
-constexpr uint64_t kFullMask = ~uint64_t{0};
+using namespace internal;
 
-// The edges of one triangle of the fan that are not settled yet; a pixel is inside of all of them or of none.
-struct Piece {
-  std::array<EdgeFunction, 3> edges;
-  uint32_t count = 0;
-};
+// 126 steps of at most 2^30 are less than 2^37.
+constexpr int64_t kWideFar = int64_t{1} << 40;
 
-struct Pieces {
-  std::array<Piece, kMaxPolygonVertices - 2> pieces;
-  uint32_t count = 0;
-};
+// The edges of a triangle whose steps int32 has no room for: doubles hold them exactly.
+template <typename L, size_t kSamples>
+struct WideEdges {
+  const Piece<kSamples>& piece;
 
-// The least and the greatest value of an edge function over a rectangle of pixels: at two of its corners.
-struct Range {
-  int64_t least;
-  int64_t greatest;
-};
-
-Range range_over(const EdgeFunction& edge, int64_t at_top_left, int32_t width, int32_t height) {
-  const int64_t across = int64_t{edge.step_x} * (width - 1);
-  const int64_t down = int64_t{edge.step_y} * (height - 1);
-  return {at_top_left + (across < 0 ? across : 0) + (down < 0 ? down : 0),
-          at_top_left + (across > 0 ? across : 0) + (down > 0 ? down : 0)};
-}
-
-std::array<EdgeFunction, 3> edges_of(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c,
-                                     const FixedPosition& sample_fixed, uint32_t subpixel_bits) {
-  return {edge_function(a, b, sample_fixed, subpixel_bits), edge_function(b, c, sample_fixed, subpixel_bits),
-          edge_function(c, a, sample_fixed, subpixel_bits)};
-}
-
-// Drops the edges that all of the rectangle is inside of; false if all of it is outside of one.
-bool settle(const PixelRect& rect, const std::array<EdgeFunction, 3>& edges, Piece& piece) {
-  piece.count = 0;
-  for (const EdgeFunction& edge : edges) {
-    const Range range = range_over(edge, edge.at(rect.left, rect.top), rect.width(), rect.height());
-    if (range.greatest < 0) {
-      return false;
-    }
-    if (range.least < 0) {
-      piece.edges[piece.count++] = edge;
-    }
-  }
-  return true;
-}
-
-// The pixels of a block that are inside of an edge which crosses it, for edges too steep for int32.
-uint64_t steep_edge_mask(int64_t at_top_left, const EdgeFunction& edge) {
-  uint64_t mask = 0;
-  for (uint32_t row = 0; row < kBlockSize; ++row) {
-    for (uint32_t column = 0; column < kBlockSize; ++column) {
-      const int64_t value = at_top_left + int64_t{edge.step_x} * column + int64_t{edge.step_y} * row;
-      mask |= static_cast<uint64_t>(value >= 0) << (row * kBlockSize + column);
-    }
-  }
-  return mask;
-}
-
-// The edges of a piece that cross a block, by their values at its top left pixel; the others are 0 throughout. Within
-// the block |value| is at most 7 * (|step_x| + |step_y|), since both signs occur, and one step more is taken.
-struct CrossingEdges {
-  std::array<int32_t, 3> at_top_left{};
-  std::array<int32_t, 3> step_x{};
-  std::array<int32_t, 3> step_y{};
-};
-
-// The pixels inside of all these edges: lanes are rows, one column after the other.
-template <typename L>
-[[gnu::always_inline]] inline uint64_t crossing_mask(const CrossingEdges& edges) {
-  uint64_t outside = 0;
-  for (int32_t row = 0; row < kBlockSize; row += static_cast<int32_t>(L::kWidth)) {
-    const typename L::Int rows = L::numbers() + row;
-    typename L::Int value0 = rows * edges.step_y[0] + edges.at_top_left[0];
-    typename L::Int value1 = rows * edges.step_y[1] + edges.at_top_left[1];
-    typename L::Int value2 = rows * edges.step_y[2] + edges.at_top_left[2];
-    typename L::Int outside_rows = L::numbers() & 0;
-    for (int32_t column = 0; column < kBlockSize; ++column) {
-      outside_rows = outside_rows | (((value0 | value1 | value2) >> 31) & (1 << column));
-      value0 = value0 + edges.step_x[0];
-      value1 = value1 + edges.step_x[1];
-      value2 = value2 + edges.step_x[2];
-    }
-    outside |= L::low_bytes(outside_rows) << static_cast<uint32_t>(row * kBlockSize);
-  }
-  return ~outside;
-}
-
-template <typename L>
-[[gnu::always_inline]] inline uint64_t block_mask(const Piece& piece, int32_t x, int32_t y) {
-  uint64_t mask = kFullMask;
-  CrossingEdges crossing;
-  bool crosses = false;
-  for (uint32_t i = 0; i < piece.count; ++i) {
-    const EdgeFunction& edge = piece.edges[i];
-    const int64_t at_top_left = edge.at(x, y);
-    const Range range = range_over(edge, at_top_left, kBlockSize, kBlockSize);
-    if (range.greatest < 0) {
-      return 0;
-    }
-    if (range.least < 0) {
-      constexpr int64_t kNarrow = int64_t{1} << 27;
-      if (std::abs(int64_t{edge.step_x}) + std::abs(int64_t{edge.step_y}) >= kNarrow) {
-        mask &= steep_edge_mask(at_top_left, edge);
-      } else {
-        crossing.at_top_left[i] = static_cast<int32_t>(at_top_left);
-        crossing.step_x[i] = edge.step_x;
-        crossing.step_y[i] = edge.step_y;
-        crosses = true;
+  [[gnu::always_inline]] uint64_t mask(size_t sample, int32_t x, int32_t y) const {
+    uint64_t outside = 0;
+    for (const PieceEdge<kSamples>& edge : piece) {
+      for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
+        const double start =
+            static_cast<double>(edge.at[sample] + int64_t{x + column} * edge.step_x + int64_t{y} * edge.step_y);
+        const auto values = L::all(start) + L::to_double(L::numbers()) * L::all(static_cast<double>(edge.step_x));
+        for (int32_t row = 0; row < kBlockSize; ++row) {
+          const auto value = values + L::all(static_cast<double>(edge.step_y) * row);
+          outside |= uint64_t{L::sign_bits(L::bits_of(L::to_float(value)))} << (row * kBlockSize + column);
+        }
       }
     }
+    return ~outside;
   }
-  return crosses ? mask & crossing_mask<L>(crossing) : mask;
-}
 
-// The pixels of the 8x8 block at (x, y) that are in the rectangle, which may be anywhere.
-uint64_t rect_mask(const PixelRect& rect, int32_t x, int32_t y) {
-  if (x >= rect.left && y >= rect.top && x + kBlockSize <= rect.right && y + kBlockSize <= rect.bottom) {
-    return kFullMask;
-  }
-  // Bits [low, high) of 8: the columns, or the rows, of the block between two coordinates.
-  const auto range_mask = [](int32_t begin, int32_t end, int32_t origin) {
-    const auto low = static_cast<uint32_t>(std::clamp(begin - origin, 0, kBlockSize));
-    const auto high = static_cast<uint32_t>(std::clamp(end - origin, 0, kBlockSize));
-    const uint64_t mask = ((1U << high) - 1U) & ~((1U << low) - 1U);
-    return mask;
-  };
-  constexpr uint64_t kFirstColumn = 0x0101010101010101U;
-  const uint64_t columns = range_mask(rect.left, rect.right, x) * kFirstColumn;
-  uint64_t mask = 0;
-  for (uint64_t rows = range_mask(rect.top, rect.bottom, y); rows != 0; rows &= rows - 1) {
-    mask |= uint64_t{0xFF} << (static_cast<uint32_t>(std::countr_zero(rows)) * kBlockSize);
-  }
-  return mask & columns;
-}
-
-// One triangle over a rectangle of at most 8x8 pixels, pixel by pixel.
-uint64_t small_mask(const std::array<EdgeFunction, 3>& edges, const PixelRect& rect) {
-  uint64_t mask = 0;
-  int64_t row0 = edges[0].at(rect.left, rect.top);
-  int64_t row1 = edges[1].at(rect.left, rect.top);
-  int64_t row2 = edges[2].at(rect.left, rect.top);
-  for (int32_t row = 0; row < rect.height(); ++row) {
-    int64_t value0 = row0;
-    int64_t value1 = row1;
-    int64_t value2 = row2;
-    for (int32_t column = 0; column < rect.width(); ++column) {
-      const bool is_inside = (value0 | value1 | value2) >= 0;
-      mask |= static_cast<uint64_t>(is_inside) << static_cast<uint32_t>(row * kBlockSize + column);
-      value0 += edges[0].step_x;
-      value1 += edges[1].step_x;
-      value2 += edges[2].step_x;
+  [[gnu::always_inline]] BlockClasses classes(int32_t x, int32_t y) const {
+    BlockClasses classes;
+    for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
+      for (const PieceEdge<kSamples>& edge : piece) {
+        const int64_t from_first =
+            (x + static_cast<int32_t>(lane) * kBlockSize) * int64_t{edge.step_x} + y * int64_t{edge.step_y};
+        classes.outside |= static_cast<uint32_t>(edge.greatest + edge.most_in_block() + from_first < 0) << lane;
+        classes.cut |= static_cast<uint32_t>(edge.least + edge.least_in_block() + from_first < 0) << lane;
+      }
     }
-    row0 += edges[0].step_y;
-    row1 += edges[1].step_y;
-    row2 += edges[2].step_y;
+    return classes;
   }
-  return mask;
-}
+};
 
-// Calls visit(edges) for each triangle of the fan that has an area, positively oriented.
-template <typename Visit>
-void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
-                    const Visit& visit) {
+// Calls visit(x, y, masks) for the blocks of each triangle of the fan that has an area.
+template <typename L, size_t kSamples, typename Visit>
+[[gnu::always_inline]] inline void for_each_piece(std::span<const FixedPosition> outline,
+                                                  std::span<const SampleArea> samples, uint32_t subpixel_bits,
+                                                  const PixelRect& blocks, const Visit& visit) {
+  const FixedPosition& a = outline[0];
   for (size_t i = 2; i < outline.size(); ++i) {
-    const FixedPosition& a = outline[0];
-    FixedPosition b = outline[i - 1];
-    FixedPosition c = outline[i];
-    const int64_t area = doubled_area(a, b, c);
+    const int64_t area = doubled_area(a, outline[i - 1], outline[i]);
+    const FixedPosition& b = area > 0 ? outline[i - 1] : outline[i];
+    const FixedPosition& c = area > 0 ? outline[i] : outline[i - 1];
     if (area == 0) {
       continue;
     }
-    if (area < 0) {
-      std::swap(b, c);
+    if (is_narrow(a, b, c)) {
+      fill_narrow<L, kSamples>(make_piece<kSamples>(a, b, c, samples, subpixel_bits, blocks, kNarrowFar), blocks,
+                               samples, visit);
+    } else {
+      const Piece<kSamples> piece = make_piece<kSamples>(a, b, c, samples, subpixel_bits, blocks, kWideFar);
+      for_each_block<L, kSamples>(WideEdges<L, kSamples>{piece}, blocks, samples, visit);
     }
-    visit(edges_of(a, b, c, sample_fixed, subpixel_bits));
+  }
+}
+
+// The parity of the pieces of a polygon, block by block.
+template <size_t kSamples>
+struct PieceParity {
+  PixelRect blocks;
+  uint64_t touched = 0;  // bit i: block i, row by row
+  std::array<SampleMasks<kSamples>, kMaxBlocks> masks;
+
+  [[nodiscard]] int32_t columns() const { return blocks.width() / kBlockSize; }
+
+  void flip(int32_t x, int32_t y, size_t samples, const SampleMasks<kSamples>& piece) {
+    const auto block =
+        static_cast<size_t>((y - blocks.top) / kBlockSize * columns() + (x - blocks.left) / kBlockSize);
+    if ((touched >> block & 1U) == 0) {
+      touched |= uint64_t{1} << block;
+      masks[block] = {};
+    }
+    for (size_t i = 0; i < samples; ++i) {
+      masks[block][i] ^= piece[i];
+    }
+  }
+};
+
+template <typename Coverage>
+void cover_by_edges(std::span<const FixedPosition> outline, std::span<const SampleArea> samples,
+                    uint32_t subpixel_bits, const PixelRect& rect, Isa isa, Coverage& coverage) {
+  constexpr size_t kSamples = kSamplesOf<Coverage>;
+  PieceParity<kSamples> parity{.blocks = touched_blocks(rect)};
+  dispatch(
+      isa, [&]<typename L>() __attribute__((always_inline)) {
+        for_each_piece<L, kSamples>(outline, samples, subpixel_bits, parity.blocks,
+                                    [&](int32_t x, int32_t y, const SampleMasks<kSamples>& masks) {
+                                      parity.flip(x, y, count_of<kSamples>(samples), masks);
+                                    });
+      });
+  for (uint64_t rest = parity.touched; rest != 0; rest &= rest - 1) {
+    const int32_t block = std::countr_zero(rest);
+    add_block(parity.blocks.left + block % parity.columns() * kBlockSize,
+              parity.blocks.top + block / parity.columns() * kBlockSize, parity.masks[static_cast<size_t>(block)],
+              rect, samples, coverage);
   }
 }
 
@@ -195,49 +121,8 @@ void for_each_piece(std::span<const FixedPosition> outline, const FixedPosition&
 
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
            const PixelRect& rect, TileCoverage& coverage, Isa isa) {
-  coverage.count = 0;
-  const int32_t block_x = rect.left & ~(kBlockSize - 1);
-  const int32_t block_y = rect.top & ~(kBlockSize - 1);
-  if (rect.right <= block_x + kBlockSize && rect.bottom <= block_y + kBlockSize) {
-    uint64_t mask = 0;
-    for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) { mask ^= small_mask(edges, rect); });
-    mask <<= static_cast<uint32_t>((rect.top - block_y) * kBlockSize + rect.left - block_x);
-    if (mask != 0) {
-      coverage.blocks[coverage.count++] = {block_x, block_y, mask};
-    }
-    return;
-  }
-
-  // Step 1: settle what the whole rectangle answers alike. Blocks at its border reach beyond it, within the tile.
-  const PixelRect blocks{rect.left & ~(kBlockSize - 1), rect.top & ~(kBlockSize - 1),
-                         (rect.right + kBlockSize - 1) & ~(kBlockSize - 1),
-                         (rect.bottom + kBlockSize - 1) & ~(kBlockSize - 1)};
-  Pieces active;
-  for_each_piece(outline, sample_fixed, subpixel_bits, [&](const auto& edges) {
-    if (settle(blocks, edges, active.pieces[active.count])) {
-      ++active.count;
-    }
-  });
-  if (active.count == 0) {
-    return;
-  }
-
-  // Step 2: block by block.
-  dispatch(
-      isa, [&]<typename L>() __attribute__((always_inline)) {
-        for (int32_t y = blocks.top; y < blocks.bottom; y += kBlockSize) {
-          for (int32_t x = blocks.left; x < blocks.right; x += kBlockSize) {
-            uint64_t mask = 0;
-            for (uint32_t i = 0; i < active.count; ++i) {
-              mask ^= block_mask<L>(active.pieces[i], x, y);
-            }
-            mask &= rect_mask(rect, x, y);
-            if (mask != 0) {
-              coverage.blocks[coverage.count++] = {x, y, mask};
-            }
-          }
-        }
-      });
+  const SampleArea sample{sample_fixed, rect};
+  cover_by_edges(outline, {&sample, 1}, subpixel_bits, rect, isa, coverage);
 }
 
 uint32_t SampledBlock::samples_at(uint32_t bit) const {
@@ -262,13 +147,17 @@ void cover(const CoverageRule& rule, std::span<const FixedPosition> outline, con
 
 void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
                    std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage) {
-  coverage.count = 0;
+  if (outline.size() > 2 && rule.fill == Fill::kEdgeFunction) {
+    cover_by_edges(outline, samples, rule.subpixel_bits, rect, rule.isa, coverage);
+    return;
+  }
   // Which entry the block of a tile's row and column has: all samples' blocks lie alike.
   constexpr uint8_t kNone = 0xFF;
-  std::array<uint8_t, TileCoverage::kMaxBlocks> entries;
+  std::array<uint8_t, kMaxBlocks> entries;
   entries.fill(kNone);
   TileCoverage one;
   for (uint32_t i = 0; i < samples.size(); ++i) {
+    one.count = 0;
     cover(rule, outline, samples[i].sample_fixed, rect, one);
     for (uint32_t k = 0; k < one.count; ++k) {
       const auto& [x, y, mask] = one.blocks[k];
@@ -280,7 +169,8 @@ void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outl
         coverage.blocks[coverage.count++] = {.x = x, .y = y};
       }
       SampledBlock& block = coverage.blocks[entry];
-      block.masks[i] = mask & rect_mask(samples[i].pixels, x, y);
+      const PixelRect& pixels = samples[i].pixels;
+      block.masks[i] = reaches_into_block(pixels, x, y) ? mask & rect_mask(pixels, x, y) : 0;
       block.any |= block.masks[i];
     }
   }

@@ -25,13 +25,15 @@ struct CoverageBlock {
   uint64_t mask = 0;
 };
 
+inline constexpr uint32_t kMaxBlocks = (kTileSize / kBlockSize) * (kTileSize / kBlockSize);  // of a tile
+
+// The blocks with a pixel in them, of one outline after the other: at most kMaxBlocks of each.
 struct TileCoverage {
-  static constexpr uint32_t kMaxBlocks = (kTileSize / kBlockSize) * (kTileSize / kBlockSize);
-  std::array<CoverageBlock, kMaxBlocks> blocks;
-  uint32_t count = 0;  // of blocks with a pixel in them
+  std::array<CoverageBlock, size_t{2} * kMaxBlocks> blocks;
+  uint32_t count = 0;
 };
 
-// The pixels of `rect`, which must lie within one tile, whose sample at `sample_fixed` the outline covers. The
+// Adds the pixels of `rect`, which must lie within one tile, whose sample at `sample_fixed` the outline covers. The
 // outline has at most kMaxPolygonVertices: a triangle, what clipping left of one, a line's rectangle, a point's
 // square.
 void cover(std::span<const FixedPosition> outline, const FixedPosition& sample_fixed, uint32_t subpixel_bits,
@@ -68,7 +70,7 @@ struct SampledBlock {
 };
 
 struct SampledTileCoverage {
-  std::array<SampledBlock, TileCoverage::kMaxBlocks> blocks;
+  std::array<SampledBlock, size_t{2} * kMaxBlocks> blocks;
   uint32_t count = 0;
 };
 

@@ -160,8 +160,9 @@ TEST(Cover, AFoldedPolygonCountsByParity) {
   std::vector<bool> pixels_of_blocks(pixels.size());
   for (int32_t y = 0; y < kTileSize; y += kBlockSize) {
     for (int32_t x = 0; x < kTileSize; x += kBlockSize) {
-      cover(outline, kCentre, 8, {x, y, x + kBlockSize, y + kBlockSize}, coverage);
-      const std::vector<bool> block = pixels_of(coverage);
+      TileCoverage one;
+      cover(outline, kCentre, 8, {x, y, x + kBlockSize, y + kBlockSize}, one);
+      const std::vector<bool> block = pixels_of(one);
       for (size_t pixel = 0; pixel < block.size(); ++pixel) {
         pixels_of_blocks[pixel] = pixels_of_blocks[pixel] || block[pixel];
       }

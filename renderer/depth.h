@@ -104,18 +104,28 @@ class DepthStage {
       least_ = least + 0.0F;  // of -0, +0
       greatest_ = greatest;
     }
+    is_usual_ = test_ && !bounds_test_ && write_ && compare_ == VK_COMPARE_OP_LESS && max_code_ == 0;
   }
 
+  // The test that most draws have: less, writing, floating-point.
+  [[nodiscard]] bool is_usual() const { return is_usual_; }
   // Whether fragments are tested at all.
   [[nodiscard]] bool tests() const { return test_ || bounds_test_; }
 
   // Which of the fragments of these depths land on samples that hold `stored`, of those in `fragments`; those that do
-  // write their depths to it.
-  template <typename L = ScalarLanes>
+  // write their depths to it. kIsUsual: the stage is known to be so.
+  template <typename L = ScalarLanes, bool kIsUsual = false>
   [[gnu::always_inline]] typename L::Mask lands(const typename L::Double& depth_framebuffer,
                                                 typename L::Mask fragments, typename L::Float& stored) const {
+    if constexpr (kIsUsual) {
+      const typename L::Float depth = clamped_depth<L>(depth_framebuffer);
+      fragments &= depth < stored;
+      stored = fragments ? depth : stored;
+      return fragments;
+    }
     if (bounds_test_) {
-      fragments = fragments & (stored >= L::all(bounds_.min)) & (stored <= L::all(bounds_.max));
+      fragments &= stored >= L::all(bounds_.min);
+      fragments &= stored <= L::all(bounds_.max);
     }
     if (!test_) {
       return fragments;
@@ -134,18 +144,19 @@ class DepthStage {
   // range are floats, so that rounding first changes nothing.
   template <typename L = ScalarLanes>
   [[gnu::always_inline]] typename L::Float attachment_depth(const typename L::Double& depth_framebuffer) const {
-    const typename L::Float least = L::all(least_);
-    const typename L::Float greatest = L::all(greatest_);
-    typename L::Float depth = L::to_float(depth_framebuffer);
-    depth = least < depth ? depth : least;
-    depth = greatest < depth ? greatest : depth;
-    return quantized_depth<L>(max_code_, depth);
+    return quantized_depth<L>(max_code_, clamped_depth<L>(depth_framebuffer));
   }
 
  private:
+  template <typename L>
+  [[gnu::always_inline]] typename L::Float clamped_depth(const typename L::Double& depth_framebuffer) const {
+    return L::lesser(L::greater(L::to_float(depth_framebuffer), L::all(least_)), L::all(greatest_));
+  }
+
   bool test_;
   bool bounds_test_;
   bool write_;
+  bool is_usual_;
   VkCompareOp compare_;
   DepthBounds bounds_;
   uint32_t max_code_;

@@ -28,32 +28,29 @@ double determinant_scale(const Vector& a, const Vector& b, const Vector& c) {
 }
 
 // One vertex everywhere: the first that can be seen.
-void set_constant(PrimitiveInterpolation& interpolation) {
+std::array<WindowPlane, 3> constant_planes(const std::array<double, 3>& w) {
   size_t vertex = 0;
-  while (vertex < 2 && interpolation.w[vertex] <= 0) {
+  while (vertex < 2 && w[vertex] <= 0) {
     ++vertex;
   }
-  const double w = interpolation.w[vertex];
-  interpolation.per_w[vertex].at_anchor = w > 0 ? 1 / w : 1;
+  std::array<WindowPlane, 3> planes{};
+  planes[vertex].at_anchor = w[vertex] > 0 ? 1 / w[vertex] : 1;
+  return planes;
 }
 
-WindowPlane weighted_sum(const std::array<WindowPlane, 3>& planes, const std::array<double, 3>& weights) {
-  WindowPlane sum;
-  for (size_t i = 0; i < 3; ++i) {
-    sum.at_anchor += planes[i].at_anchor * weights[i];
-    sum.step_x += planes[i].step_x * weights[i];
-    sum.step_y += planes[i].step_y * weights[i];
-  }
-  return sum;
-}
-
-void set_depth(const std::array<ClipPosition, 3>& positions_clip, const DepthTransform& depth_transform,
-               PrimitiveInterpolation& interpolation) {
-  WindowPlane& depth = interpolation.depth_framebuffer;
-  depth = weighted_sum(interpolation.per_w, {positions_clip[0][2], positions_clip[1][2], positions_clip[2][2]});
-  depth.at_anchor = depth.at_anchor * depth_transform.scale + depth_transform.offset;
-  depth.step_x *= depth_transform.scale;
-  depth.step_y *= depth_transform.scale;
+// Of z / w, to the framebuffer's depth.
+WindowPlane depth_plane(const std::array<WindowPlane, 3>& per_w, const std::array<ClipPosition, 3>& positions_clip,
+                        const DepthTransform& depth_transform) {
+  const double z0 = positions_clip[0][2];
+  const double z1 = positions_clip[1][2];
+  const double z2 = positions_clip[2][2];
+  const auto sum = [&](double of0, double of1, double of2) { return of0 * z0 + of1 * z1 + of2 * z2; };
+  return {
+      .at_anchor = sum(per_w[0].at_anchor, per_w[1].at_anchor, per_w[2].at_anchor) * depth_transform.scale +
+                   depth_transform.offset,
+      .step_x = sum(per_w[0].step_x, per_w[1].step_x, per_w[2].step_x) * depth_transform.scale,
+      .step_y = sum(per_w[0].step_y, per_w[1].step_y, per_w[2].step_y) * depth_transform.scale,
+  };
 }
 
 }  // namespace
@@ -61,29 +58,29 @@ void set_depth(const std::array<ClipPosition, 3>& positions_clip, const DepthTra
 PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y) {
-  PrimitiveInterpolation interpolation{.anchor_x = anchor_x, .anchor_y = anchor_y};
-  std::array<Vector, 3> rows;
-  for (size_t i = 0; i < 3; ++i) {
-    rows[i] = window_row(viewport, positions_clip[i], anchor_x, anchor_y);
-    interpolation.w[i] = positions_clip[i][3];
-  }
-
+  const std::array<Vector, 3> rows{window_row(viewport, positions_clip[0], anchor_x, anchor_y),
+                                   window_row(viewport, positions_clip[1], anchor_x, anchor_y),
+                                   window_row(viewport, positions_clip[2], anchor_x, anchor_y)};
+  const std::array<double, 3> w{rows[0][2], rows[1][2], rows[2][2]};
   const std::array<Vector, 3> adjugate = {cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])};
   const double determinant = rows[0][0] * adjugate[0][0] + rows[0][1] * adjugate[0][1] + rows[0][2] * adjugate[0][2];
   // Below this, rounding alone decides about the determinant.
   constexpr double kMinRelativeDeterminant = 0x1p-48;
+  std::array<WindowPlane, 3> per_w;
   if (std::abs(determinant) <= kMinRelativeDeterminant * determinant_scale(rows[0], rows[1], rows[2])) {
-    set_constant(interpolation);
+    per_w = constant_planes(w);
   } else {
     for (size_t i = 0; i < 3; ++i) {
-      interpolation.per_w[i] = {.at_anchor = adjugate[i][2] / determinant,
-                                .step_x = adjugate[i][0] / determinant,
-                                .step_y = adjugate[i][1] / determinant};
+      per_w[i] = {.at_anchor = adjugate[i][2] / determinant,
+                  .step_x = adjugate[i][0] / determinant,
+                  .step_y = adjugate[i][1] / determinant};
     }
   }
-
-  set_depth(positions_clip, depth_transform, interpolation);
-  return interpolation;
+  return {.anchor_x = anchor_x,
+          .anchor_y = anchor_y,
+          .per_w = per_w,
+          .w = w,
+          .depth_framebuffer = depth_plane(per_w, positions_clip, depth_transform)};
 }
 
 PrimitiveInterpolation make_line_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
@@ -110,7 +107,7 @@ PrimitiveInterpolation make_line_interpolation(const VkViewport& viewport, const
     const uint8_t visible = from[2] > 0 ? ends.from : ends.to;
     interpolation.per_w[visible].at_anchor = 1 / interpolation.w[visible];
   }
-  set_depth(positions_clip, depth_transform, interpolation);
+  interpolation.depth_framebuffer = depth_plane(interpolation.per_w, positions_clip, depth_transform);
   return interpolation;
 }
 
@@ -124,7 +121,7 @@ PrimitiveInterpolation make_point_interpolation(const VkViewport& viewport, cons
   const double step = 1 / double{size};
   interpolation.point_coord = {{{.at_anchor = 0.5 - row[0] / row[2] * step, .step_x = step},
                                 {.at_anchor = 0.5 - row[1] / row[2] * step, .step_y = step}}};
-  set_depth(positions_clip, depth_transform, interpolation);
+  interpolation.depth_framebuffer = depth_plane(interpolation.per_w, positions_clip, depth_transform);
   return interpolation;
 }
 

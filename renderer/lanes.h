@@ -9,6 +9,13 @@
 // inlined always: [[gnu::always_inline]].
 #pragma once
 
+// GCC asks for a builtin's instruction set only where the function that all of this is inlined into is compiled,
+// Clang already here: it has to do with what it makes of plain vectors.
+#if defined(__GNUC__) && !defined(__clang__)
+#define FILLRULE_HAS_LANE_BUILTINS
+#include <immintrin.h>  // declares the builtins
+#endif
+
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -24,9 +31,9 @@ struct ScalarLanes {
   using Double = double;
   using Mask = bool;
 
-  // The same in every lane; -0 becomes 0.
-  static Float all(float value) { return value + 0.0F; }
-  static Double all(double value) { return value + 0.0; }
+  // The same in every lane.
+  static Float all(float value) { return value; }
+  static Double all(double value) { return value; }
   // The lanes' numbers: 0, 1, 2 ...
   static Int numbers() { return 0; }
 
@@ -53,11 +60,28 @@ struct ScalarLanes {
   // The lanes' lowest bytes, lane 0 lowest.
   static uint64_t low_bytes(Int value) { return static_cast<uint64_t>(value) & 0xFFU; }
 
+  // a < b ? a : b, and a > b ? a : b: the second one if either is NaN.
+  static Float lesser(Float a, Float b) { return a < b ? a : b; }
+  static Float greater(Float a, Float b) { return a > b ? a : b; }
+
   static bool any(Mask mask) { return mask; }
   static Mask negated(Mask mask) { return !mask; }
   // Bit i: lane i.
+  static uint32_t sign_bits(Int value) { return static_cast<uint32_t>(value) >> 31U; }
   static Mask mask_of(uint32_t bits) { return (bits & 1U) != 0; }
   static uint32_t bits_of(Mask mask) { return mask ? 1 : 0; }
+  // The bits from kFirst on.
+  template <uint32_t kFirst>
+  static Mask mask_from(uint64_t bits) {
+    return mask_of(static_cast<uint32_t>(bits >> kFirst));
+  }
+
+  // Four values of 0 to 255, to the nearest whole ones, ties to even, as the bytes of each lane, the first one
+  // lowest.
+  static Int packed_bytes(Float a, Float b, Float c, Float d) {
+    const auto byte = [](Float value) { return bits_of(value + 0x1.8p23F) & 0xFF; };  // no bit is left for a fraction
+    return byte(a) | byte(b) << 8 | byte(c) << 16 | static_cast<Int>(static_cast<uint32_t>(byte(d)) << 24U);
+  }
 
   // Lane i of kPart's vector gets lane (kPart * kWidth + i) / kTimes: each lane kTimes, over kTimes vectors.
   template <uint32_t kTimes, uint32_t kPart>
@@ -115,12 +139,11 @@ struct VectorLanes {
     }
   };
 
-  // Without the addition GCC 12 fills the lanes one by one.
-  [[gnu::always_inline]] static Float all(float value) { return value + Float{}; }
+  [[gnu::always_inline]] static Float all(float value) { return broadcast<Float>(value); }
   [[gnu::always_inline]] static Double all(double value) {
     Double result;
     for (Part& part : result.parts) {
-      part = value + Part{};
+      part = broadcast<Part>(value);
     }
     return result;
   }
@@ -153,22 +176,38 @@ struct VectorLanes {
     return bits;
   }
 
-  [[gnu::always_inline]] static bool any(const Mask& mask) {
-    uint64_t words[kFloatBytes / sizeof(uint64_t)];  // NOLINT(modernize-avoid-c-arrays)
-    std::memcpy(words, &mask, sizeof words);
-    uint64_t all_words = 0;
-    for (const uint64_t word : words) {
-      all_words |= word;
+  [[gnu::always_inline]] static Float lesser(const Float& a, const Float& b) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 16) {
+      return __builtin_ia32_minps(a, b);
+    } else {
+      return __builtin_ia32_minps256(a, b);
     }
-    return all_words != 0;
+#else
+    return a < b ? a : b;
+#endif
   }
-  [[gnu::always_inline]] static Mask negated(const Mask& mask) { return ~mask; }
+  [[gnu::always_inline]] static Float greater(const Float& a, const Float& b) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 16) {
+      return __builtin_ia32_maxps(a, b);
+    } else {
+      return __builtin_ia32_maxps256(a, b);
+    }
+#else
+    return a > b ? a : b;
+#endif
+  }
+
+  [[gnu::always_inline]] static bool any(const Mask& mask) {
+    return bits_of(mask) != 0;
+  }
+  [[gnu::always_inline]] static Mask negated(const Mask& mask) {
+    return ~mask;
+  }
   [[gnu::always_inline]] static Mask mask_of(uint32_t bits) {
-    // The bits in every byte, of which each byte keeps its own.
-    const uint64_t own_bits = (bits & kAllBits) * kEachByte & kOneOfEach;
-    Bytes bytes;
-    std::memcpy(&bytes, &own_bits, sizeof bytes);
-    return __builtin_convertvector(bytes, Int) != 0;
+    const Int own = own_bits(std::make_integer_sequence<uint32_t, kWidth>());
+    return ((own & static_cast<int32_t>(bits)) == own);
   }
   // The lanes' lowest bytes, lane 0 lowest.
   [[gnu::always_inline]] static uint64_t low_bytes(const Int& value) {
@@ -178,8 +217,53 @@ struct VectorLanes {
     return result;
   }
   [[gnu::always_inline]] static uint32_t bits_of(const Mask& mask) {
+    return sign_bits(mask);
+  }
+  template <uint32_t kFirst>
+  [[gnu::always_inline]] static Mask mask_from(uint64_t bits) {
+    if constexpr (kFloatBytes == 16) {
+      return mask_of(static_cast<uint32_t>(bits >> kFirst));
+    } else {
+      // Each lane moves its own bit to the sign.
+      const auto half = static_cast<int32_t>(bits >> (kFirst & 32U));
+      return (((half + Int{}) << (31 - static_cast<int32_t>(kFirst & 31U) - numbers())) < 0);
+    }
+  }
+  [[gnu::always_inline]] static uint32_t sign_bits(const Int& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 16) {
+      return static_cast<uint32_t>(__builtin_ia32_movmskps(reinterpret_cast<const Float&>(value)));
+    } else {
+      return static_cast<uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<const Float&>(value)));
+    }
+#else
     // The product moves one bit of each byte to the top byte.
-    return static_cast<uint32_t>((low_bytes(mask) & kOneOfEach) * kEachByte >> 56U);
+    return static_cast<uint32_t>((low_bytes(value < 0) & kOneOfEach) * kEachByte >> 56U);
+#endif
+  }
+
+  [[gnu::always_inline]] static Int packed_bytes(const Float& a, const Float& b, const Float& c, const Float& d) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 32) {
+      using Words = typename SimdVector<int16_t, 32>::Type;
+      const Words ab = __builtin_ia32_packssdw256(__builtin_ia32_cvtps2dq256(a), __builtin_ia32_cvtps2dq256(b));
+      const Words cd = __builtin_ia32_packssdw256(__builtin_ia32_cvtps2dq256(c), __builtin_ia32_cvtps2dq256(d));
+      // In each half of the vector four bytes of each value follow those of the last.
+      using Chars = typename SimdVector<char, 32>::Type;
+      const Chars order{0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15,
+                        0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
+      const Chars bytes = __builtin_ia32_pshufb256(__builtin_ia32_packuswb256(ab, cd), order);
+      return reinterpret_cast<const Int&>(bytes);
+    }
+#endif
+    const auto bits = [](const Float& value) __attribute__((always_inline)) {
+      return bits_of(value + all(0x1.8p23F));
+    };
+    // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.
+    constexpr uint32_t kNoFraction = 0x4B400000;
+    constexpr auto kRest =
+        static_cast<int32_t>(kNoFraction ^ kNoFraction << 8U ^ kNoFraction << 16U ^ kNoFraction << 24U);
+    return bits(a) ^ bits(b) << 8 ^ bits(c) << 16 ^ bits(d) << 24 ^ kRest;
   }
 
   template <uint32_t kTimes, uint32_t kPart>
@@ -190,8 +274,26 @@ struct VectorLanes {
  private:
   static constexpr uint64_t kEachByte = 0x0101010101010101U;
   static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
-  static constexpr uint64_t kAllBits = (1U << kWidth) - 1;
 
+  // GCC 12 would fill the lanes of a vector wider than SSE's one by one.
+  template <typename Vector, typename Value>
+  [[gnu::always_inline]] static Vector broadcast(Value value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    const typename SimdVector<Value, 16>::Type first{value};
+    if constexpr (sizeof(Vector) == 64) {
+      return __builtin_ia32_broadcastsd512(first, Vector{}, 0xFF);
+    } else if constexpr (sizeof(Vector) == 32 && sizeof(Value) == sizeof(double)) {
+      return __builtin_ia32_vbroadcastsd_pd256(first);
+    } else if constexpr (sizeof(Vector) == 32) {
+      return __builtin_ia32_vbroadcastss_ps256(first);
+    }
+#endif
+    return value - Vector{};
+  }
+  template <uint32_t... kNumbers>
+  [[gnu::always_inline]] static Int own_bits(std::integer_sequence<uint32_t, kNumbers...> /*all*/) {
+    return Int{static_cast<int32_t>(1U << kNumbers)...};
+  }
   template <int32_t... kNumbers>
   [[gnu::always_inline]] static Int numbers(std::integer_sequence<int32_t, kNumbers...> /*all*/) {
     return Int{kNumbers...};

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 #include "renderer/coverage.h"
 #include "renderer/isa.h"
@@ -24,7 +25,11 @@ struct Outcome {
   std::array<float, kCount> narrowed{};
   std::array<float, kCount> chosen{};
   std::array<int32_t, kCount> bits{};
+  std::array<float, kCount> limited{};
+  std::array<int32_t, kCount> packed{};
+  std::array<float, kCount> from_mask{};
   uint32_t below = 0;
+  uint32_t negative = 0;
   uint64_t bytes = 0;
   bool operator==(const Outcome&) const = default;
 };
@@ -41,6 +46,14 @@ Outcome outcome(Isa isa, const std::array<float, kCount>& values) {
           const typename L::Mask odd = L::mask_of(0xAAU >> i);
           L::store(odd ? value : L::all(-1.0F), result.chosen.data() + i);
           L::store(L::bits_of(value), result.bits.data() + i);
+          const typename L::Float limited = L::lesser(L::greater(value, L::all(0.0F)), L::all(1.5F));
+          L::store(limited, result.limited.data() + i);
+          L::store(L::packed_bytes(limited, L::all(254.5F), limited * L::all(100.0F), L::all(255.0F)),
+                   result.packed.data() + i);
+          // Row 4 of a block whose mask has the lanes' bits there, and others around them.
+          const uint64_t mask = uint64_t{0x55AA55} << 24U >> i;
+          L::store(L::template mask_from<32>(mask) ? value : L::all(-1.0F), result.from_mask.data() + i);
+          result.negative |= L::sign_bits(L::numbers() + static_cast<int32_t>(i) - 3) << i;
           result.below |= L::bits_of(below) << i;
           result.bytes |= L::low_bytes(L::numbers() + static_cast<int32_t>(i)) << (8 * i);
           EXPECT_EQ(L::any(below), L::bits_of(below) != 0);
@@ -56,9 +69,30 @@ TEST(Lanes, GiveTheBytesOfOneAtATime) {
   EXPECT_EQ(expected.below, 0b01011011U);
   EXPECT_EQ(expected.bytes, 0x0706050403020100U);
   EXPECT_EQ(expected.chosen, (std::array<float, kCount>{-1, 0.1F, -1, -7, -1, 3e38F, -1, 2}));
+  EXPECT_EQ(expected.limited, (std::array<float, kCount>{0, 0.1F, 1.5F, 0, 1e-40F, 1.5F, 1.4999999F, 1.5F}));
+  EXPECT_EQ(static_cast<uint32_t>(expected.packed[1]), 0xFF0AFE00U);  // 0.1, 254.5 to even, 10, 255
+  EXPECT_EQ(static_cast<uint32_t>(expected.packed[2]), 0xFF96FE02U);  // 1.5 to even, 150
+  EXPECT_EQ(expected.from_mask, (std::array<float, kCount>{-1, 0.1F, -1, -7, -1, 3e38F, -1, 2}));
+  EXPECT_EQ(expected.negative, 0b111U);
   for (const Isa isa : kAllIsas) {
     if (!is_supported(isa)) continue;
     EXPECT_EQ(outcome(isa, values), expected) << to_string(isa);
+  }
+}
+
+TEST(Lanes, LimitWhatIsNoNumber) {
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<float, kCount> values;
+    values.fill(nan);
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            L::store(L::greater(L::load(values.data() + i), L::all(0.0F)), values.data() + i);
+          }
+        });
+    EXPECT_EQ(values, (std::array<float, kCount>{})) << to_string(isa);
   }
 }
 

@@ -60,7 +60,7 @@ std::optional<SetupPrimitive> with_outline(const SetupState& state, const Assemb
   if (bounds.empty()) {
     return std::nullopt;
   }
-  SetupPrimitive part{.primitive = primitive.number, .ends = ends};
+  SetupPrimitive part{.indices = primitive.indices, .primitive = primitive.number, .ends = ends};
   part.set_bounds(bounds);
   part.set_outline(outline, polygon_vertices);
   return part;

@@ -17,6 +17,7 @@ AssembledPrimitive assembled(const PreparedDraw& draw, uint32_t number, const st
   const auto& [a, b, c] = vertices;
   const VertexDistances& distances = draw.input.clip_distances;
   return {.number = number,
+          .indices = vertices,
           .positions_clip = {positions_clip[a], positions_clip[b], positions_clip[c]},
           .window_vertices = window_vertices,
           .clip_distances = {distances.of(a), distances.of(b), distances.of(c)}};
@@ -32,6 +33,12 @@ class ChunkBuilder {
   void add(uint32_t number) const {
     const std::array<uint32_t, 3> vertices = draw_.assembly.vertices(number);
     const auto& [a, b, c] = vertices;
+    if (draw_.shape == Shape::kPolygon && is_whole(window_vertices_[a], window_vertices_[b], window_vertices_[c])) {
+      add(setup_whole_triangle(
+          draw_.setup, number, vertices,
+          {window_vertices_[a].position, window_vertices_[b].position, window_vertices_[c].position}));
+      return;
+    }
     const AssembledPrimitive primitive = assembled(draw_, number, vertices, positions_clip_,
                                                    {window_vertices_[a], window_vertices_[b], window_vertices_[c]});
     if (draw_.shape == Shape::kPolygon) {
@@ -44,6 +51,11 @@ class ChunkBuilder {
   }
 
  private:
+  // Neither clipped nor dropped for its distances.
+  static bool is_whole(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c) {
+    return (a.clip_code | b.clip_code | c.clip_code) == 0 && (a.cull_code & b.cull_code & c.cull_code) == 0;
+  }
+
   void add(const std::optional<SetupPrimitive>& primitive) const {
     if (primitive) {
       chunk_.add(*primitive);
@@ -152,9 +164,9 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
 }
 
 PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
-                                          const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline) {
+  const std::array<uint32_t, 3>& vertices = primitive.indices;
   // The anchor must not depend on what does not belong to the primitive: not on scissor, target or tile.
   FixedPosition corner = outline[0];
   for (const FixedPosition& vertex : outline) {
@@ -168,22 +180,21 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupP
   const DepthTransform depth = depth_transform(state);
   const std::array<ClipPosition, 3> positions{positions_clip[vertices[0]], positions_clip[vertices[1]],
                                               positions_clip[vertices[2]]};
-  PrimitiveInterpolation interpolation;
-  switch (draw.shape) {
-    case Shape::kPolygon:
-      interpolation = make_interpolation(state.viewport, depth, positions, anchor_x, anchor_y);
-      break;
-    case Shape::kLine:
-      interpolation = make_line_interpolation(state.viewport, depth, positions, primitive.ends,
-                                              line_parameter(state, outline), anchor_x, anchor_y);
-      break;
-    case Shape::kPoint: {
-      const float size = effective_point_size(draw.input.vertices.point_size(vertices[primitive.ends.from]));
-      interpolation =
-          make_point_interpolation(state.viewport, depth, positions, primitive.ends.from, size, anchor_x, anchor_y);
-      break;
+  PrimitiveInterpolation interpolation = [&] {
+    switch (draw.shape) {
+      case Shape::kLine:
+        return make_line_interpolation(state.viewport, depth, positions, primitive.ends,
+                                       line_parameter(state, outline), anchor_x, anchor_y);
+      case Shape::kPoint: {
+        const float size = effective_point_size(draw.input.vertices.point_size(vertices[primitive.ends.from]));
+        return make_point_interpolation(state.viewport, depth, positions, primitive.ends.from, size, anchor_x,
+                                        anchor_y);
+      }
+      case Shape::kPolygon:
+        break;
     }
-  }
+    return make_interpolation(state.viewport, depth, positions, anchor_x, anchor_y);
+  }();
   if (state.depth_bias && is_polygon_topology(draw.input.vertices.topology)) {
     interpolation.depth_framebuffer.at_anchor +=
         draw.shape == Shape::kPolygon ? bias_of(draw, positions, outline, interpolation)

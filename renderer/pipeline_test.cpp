@@ -180,7 +180,7 @@ TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
     EXPECT_TRUE(prepared);
     const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
     const PrimitiveInterpolation interpolation =
-        make_interpolation(*prepared, {}, {0, 1, 2}, scene.positions, outline);
+        make_interpolation(*prepared, {.indices = {0, 1, 2}}, scene.positions, outline);
     return std::pair(interpolation.anchor_x, interpolation.anchor_y);
   };
   const auto whole = anchor_of({{0, 0}, {64, 64}}, 64);

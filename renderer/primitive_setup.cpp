@@ -22,6 +22,16 @@ Area area(std::span<const FixedPosition> outline) {
   return sum;
 }
 
+// Nothing if an outline of this area is culled.
+std::optional<bool> facing(const SetupState& state, int64_t doubled_area_fixed) {
+  const bool front_facing = is_front_facing(doubled_area_fixed, state.front_face);
+  const VkCullModeFlags face = front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
+  if ((state.cull_mode & face) != 0) {
+    return std::nullopt;
+  }
+  return front_facing;
+}
+
 }  // namespace
 
 PixelRect bounding_pixels(const SetupState& state, std::span<const FixedPosition> outline) {
@@ -59,12 +69,7 @@ std::optional<VisiblePolygon> visible_polygon(const SetupState& state, const Ass
 }
 
 std::optional<bool> facing(const SetupState& state, const VisiblePolygon& polygon) {
-  const bool front_facing = is_front_facing(area(polygon.outline()).doubled, state.front_face);
-  const VkCullModeFlags face = front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT;
-  if ((state.cull_mode & face) != 0) {
-    return std::nullopt;
-  }
-  return front_facing;
+  return facing(state, area(polygon.outline()).doubled);
 }
 
 std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const AssembledPrimitive& triangle,
@@ -72,6 +77,9 @@ std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const Asse
   const std::optional<VisiblePolygon> polygon = visible_polygon(state, triangle);
   if (!polygon) {
     return std::nullopt;
+  }
+  if (polygon->clipped.count == 0) {
+    return setup_whole_triangle(state, triangle.number, triangle.indices, polygon->vertices);
   }
   const PixelRect bounds = intersection(bounding_pixels(state, polygon->outline()), state.clip_pixels);
   if (bounds.empty() || !area(polygon->outline()).has_pieces) {
@@ -81,11 +89,37 @@ std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const Asse
   if (!front_facing) {
     return std::nullopt;
   }
-  SetupPrimitive filled{.vertices = polygon->vertices, .primitive = triangle.number, .front_facing = *front_facing};
+  SetupPrimitive filled{.vertices = polygon->vertices,
+                        .indices = triangle.indices,
+                        .primitive = triangle.number,
+                        .front_facing = *front_facing};
   filled.set_bounds(bounds);
-  if (polygon->clipped.count != 0) {
-    filled.set_outline(polygon->clipped.span(), polygon_vertices);
+  filled.set_outline(polygon->clipped.span(), polygon_vertices);
+  return filled;
+}
+
+std::optional<SetupPrimitive> setup_whole_triangle(const SetupState& state, uint32_t number,
+                                                   const std::array<uint32_t, 3>& indices,
+                                                   const std::array<FixedPosition, 3>& vertices) {
+  const auto& [a, b, c] = vertices;
+  const uint32_t bits = state.transform.subpixel_bits();
+  const auto first = [bits](int32_t coordinate, int32_t sample) { return first_pixel(coordinate, sample, bits); };
+  const PixelRect outline_pixels{
+      first(std::min(std::min(a.x_fixed, b.x_fixed), c.x_fixed), state.greatest_sample.x_fixed),
+      first(std::min(std::min(a.y_fixed, b.y_fixed), c.y_fixed), state.greatest_sample.y_fixed),
+      first(std::max(std::max(a.x_fixed, b.x_fixed), c.x_fixed), state.least_sample.x_fixed),
+      first(std::max(std::max(a.y_fixed, b.y_fixed), c.y_fixed), state.least_sample.y_fixed)};
+  const PixelRect bounds = intersection(outline_pixels, state.clip_pixels);
+  if (bounds.empty()) {
+    return std::nullopt;
   }
+  const int64_t doubled = doubled_area(a, b, c);
+  const std::optional<bool> front_facing = facing(state, doubled);
+  if (doubled == 0 || !front_facing) {
+    return std::nullopt;
+  }
+  SetupPrimitive filled{.vertices = vertices, .indices = indices, .primitive = number, .front_facing = *front_facing};
+  filled.set_bounds(bounds);
   return filled;
 }
 

@@ -35,7 +35,8 @@ struct SetupState {
 
 // A primitive as it is assembled, with all there is of its vertices. A line or a point repeats its last.
 struct AssembledPrimitive {
-  uint32_t number = 0;  // counted within the draw
+  uint32_t number = 0;                // counted within the draw
+  std::array<uint32_t, 3> indices{};  // its vertices among those of the draw, the provoking one first
   std::array<ClipPosition, 3> positions_clip{};
   std::array<WindowVertex, 3> window_vertices{};
   ClipDistances clip_distances;
@@ -49,9 +50,10 @@ struct AssembledPrimitive {
 // A primitive that may cover samples: its outline, closed, as a triangle or any other polygon.
 struct SetupPrimitive {
   std::array<FixedPosition, 3> vertices;
-  uint32_t primitive = 0;       // counted within the draw
-  uint32_t polygon_offset = 0;  // of an outline that is no triangle, in the list of polygon vertices
-  uint16_t left = 0;            // the pixels it may touch, within SetupState::clip_pixels
+  std::array<uint32_t, 3> indices{};  // see AssembledPrimitive
+  uint32_t primitive = 0;             // counted within the draw
+  uint32_t polygon_offset = 0;        // of an outline that is no triangle, in the list of polygon vertices
+  uint16_t left = 0;                  // the pixels it may touch, within SetupState::clip_pixels
   uint16_t top = 0;
   uint16_t right = 0;
   uint16_t bottom = 0;
@@ -83,6 +85,9 @@ struct SetupPrimitive {
   }
 };
 
+// Draws hold many of them at once (tile_bins.h).
+static_assert(sizeof(SetupPrimitive) <= 56);
+
 // The pixels with a sample in the outline's bounding box.
 PixelRect bounding_pixels(const SetupState& state, std::span<const FixedPosition> outline);
 
@@ -109,5 +114,10 @@ std::optional<bool> facing(const SetupState& state, const VisiblePolygon& polygo
 // clip_pixels. Appends the vertices of a clipped outline to `polygon_vertices`.
 std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const AssembledPrimitive& triangle,
                                              std::vector<FixedPosition>& polygon_vertices);
+
+// The same of a triangle that is all within the clip volume and is not dropped by the user's distances.
+std::optional<SetupPrimitive> setup_whole_triangle(const SetupState& state, uint32_t number,
+                                                   const std::array<uint32_t, 3>& indices,
+                                                   const std::array<FixedPosition, 3>& vertices);
 
 }  // namespace fillrule::renderer

@@ -21,9 +21,8 @@ class RowMasks {
   // Sets them.
   void set(int32_t row, int64_t begin, int64_t end) { rows_[index(row)] |= span(begin, end); }
 
-  // The blocks that have a pixel in them.
+  // Adds the blocks that have a pixel in them.
   void to_blocks(TileCoverage& coverage) const {
-    coverage.count = 0;
     for (int32_t y = 0; y < kTileSize; y += kBlockSize) {
       for (int32_t x = 0; x < kTileSize; x += kBlockSize) {
         const uint64_t mask = block_mask(x, y);

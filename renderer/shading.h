@@ -89,7 +89,6 @@ concept Program = FragmentProgram<P> || ColorProgram<P>;
 
 // The plane equations of a primitive that was set up.
 PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
-                                          const std::array<uint32_t, 3>& vertices,
                                           const std::vector<ClipPosition>& positions_clip,
                                           std::span<const FixedPosition> outline);
 

@@ -21,7 +21,9 @@ class MeanColor {
 
   [[nodiscard]] ClipPosition position(uint32_t vertex) const { return positions_clip_[vertex]; }
 
-  void prefetch(uint32_t vertex) const { __builtin_prefetch(attributes_ + size_t{vertex} * kCount); }
+  [[gnu::always_inline]] void prefetch(uint32_t vertex) const {
+    __builtin_prefetch(attributes_ + size_t{vertex} * kCount);
+  }
 
   [[nodiscard, gnu::always_inline]] PrimitiveData primitive_data(const renderer::ShadedPrimitive& primitive) const {
     const auto& [a, b, c] = primitive.vertices;
