@@ -11,7 +11,7 @@ enum ExitCode : int {
   kConforms = 0,
   kMismatch = 1,
   kBadInput = 2,     // a case file, a selector or the command line
-  kNoReference = 3,  // no such reference device
+  kNoReference = 3,  // no such reference device, or no display
 };
 
 void add_run(CLI::App& app, int& exit_code);
@@ -25,6 +25,7 @@ void add_explain(CLI::App& app, int& exit_code);
 void add_new(CLI::App& app, int& exit_code);
 void add_check(CLI::App& app, int& exit_code);
 void add_render(CLI::App& app, int& exit_code);
+void add_view(CLI::App& app, int& exit_code);
 void add_exhaust(CLI::App& app, int& exit_code);
 void add_faults(CLI::App& app, int& exit_code);
 void add_bench(CLI::App& app, int& exit_code);

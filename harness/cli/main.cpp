@@ -30,7 +30,7 @@ int main(int argc, char** argv) {
     CLI::App app("Fillrule: is this rasterizer right, pixel by pixel, and if not, who is wrong and why?", "fillrule");
     app.require_subcommand(1);
     app.fallthrough();
-    app.footer("Exit codes: 0 conforms, 1 mismatch, 2 bad case or usage, 3 no such reference device.");
+    app.footer("Exit codes: 0 conforms, 1 mismatch, 2 bad case or usage, 3 no such reference device, or no display.");
     add_run(app, exit_code);
     add_merge(app, exit_code);
     add_list(app, exit_code);
@@ -45,6 +45,7 @@ int main(int argc, char** argv) {
     add_faults(app, exit_code);
     add_bench(app, exit_code);
     add_render(app, exit_code);
+    add_view(app, exit_code);
     const std::string given = argc > 1 ? argv[1] : "-";
     if (const auto known = check_command(app, given); !known) {
       print_error(known.error());

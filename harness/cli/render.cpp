@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -9,9 +8,9 @@
 
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
+#include "harness/cli/subject.h"
 #include "harness/mesh/image.h"
 #include "harness/scene/build.h"
-#include "harness/scene/model_scene.h"
 #include "harness/scene/painters.h"
 #include "harness/scene/picture.h"
 #include "harness/scene/view.h"
@@ -29,36 +28,10 @@ struct RenderOptions {
 };
 
 Result<Case> find_scene(const SuiteOptions& options, scene::Assets& assets) {
-  const std::string& name = options.selectors.front();
-  if (name.ends_with(".obj")) return scene::scene_of_model(name, assets);
-  const format::Suite suite = format::load_suite(options.root, options.selectors);
-  if (!suite.errors.empty()) return tl::unexpected(suite.errors.front());
-  if (suite.cases.size() != 1) {
-    return failure(fmt::format("{} cases match \"{}\"; render draws one", suite.cases.size(), name),
-                   fmt::format("for instance \"{}\"", suite.cases.front().name));
-  }
-  if (!suite.cases.front().scene) {
-    return failure(fmt::format("{} is no scene", suite.cases.front().name),
-                   fmt::format("'fillrule show {}' draws any case", suite.cases.front().name));
-  }
-  return suite.cases.front();
-}
-
-// "640x480"
-Result<std::pair<uint32_t, uint32_t>> parse_size(const std::string& text) {
-  std::pair<uint32_t, uint32_t> size;
-  const size_t times = std::min(text.find('x'), text.size());
-  const char* const end = text.data() + text.size();
-  const auto first = std::from_chars(text.data(), text.data() + times, size.first);
-  const auto second = std::from_chars(std::min(text.data() + times + 1, end), end, size.second);
-  const auto is_good = [](uint32_t pixels) { return pixels >= 1 && pixels <= kMaxTargetSize; };
-  const bool is_whole = first.ptr == text.data() + times && second.ptr == end;
-  if (!is_whole || first.ec != std::errc() || second.ec != std::errc() || !is_good(size.first) ||
-      !is_good(size.second)) {
-    return failure(fmt::format("--size takes WIDTHxHEIGHT, not \"{}\"", text),
-                   fmt::format("each 1 to {}, for instance 640x480", kMaxTargetSize));
-  }
-  return size;
+  Result<Case> found = find_subject(options, assets, "render");
+  if (!found || found->scene) return found;
+  return failure(fmt::format("{} is no scene", found->name),
+                 fmt::format("'fillrule show {}' draws any case", found->name));
 }
 
 Result<scene::Painter> find_painter(const RenderOptions& options) {

@@ -43,9 +43,16 @@ glm::vec3 texel_at(const DrawShading& shading, const SurfacePoint& point) {
   return {texel[0], texel[1], texel[2]};
 }
 
+// A highlight without colour adds nothing, and is most of the work.
+bool shines(const ShadingUniforms& uniforms) {
+  return uniforms.lights > 0 && glm::vec3(uniforms.specular) != glm::vec3(0);
+}
+
 glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const SurfacePoint& point) {
   const glm::vec3 normal = direction_of(point.normal_world);
-  const glm::vec3 to_eye = direction_of(glm::vec3(uniforms.eye) - point.position_world * uniforms.eye.w);
+  const bool has_highlights = shines(uniforms);
+  const glm::vec3 to_eye =
+      has_highlights ? direction_of(glm::vec3(uniforms.eye) - point.position_world * uniforms.eye.w) : glm::vec3(0);
   glm::vec3 diffuse(uniforms.ambient);
   glm::vec3 specular(0);
   for (size_t i = 0; i < static_cast<size_t>(uniforms.lights); ++i) {
@@ -54,6 +61,7 @@ glm::vec3 lit(const ShadingUniforms& uniforms, const glm::vec3& base, const Surf
     if (cosine <= 0) continue;
     const glm::vec3 color(uniforms.light_color[i]);
     diffuse += color * cosine;
+    if (!has_highlights) continue;
     const glm::vec3 reflected = normal * (2 * cosine) - to_light;
     specular += color * power(std::max(glm::dot(reflected, to_eye), 0.0F), uniforms.shininess);
   }
@@ -119,12 +127,53 @@ TransformedVertex transformed_vertex(const ShadingUniforms& uniforms, const Clip
           .position_and_normal = {world.x, world.y, world.z, normal.x, normal.y, normal.z}};
 }
 
+ShadedSurface::ShadedSurface(const Case& drawn_case, const Draw& draw, const DrawShading& shading)
+    : draw_(&draw),
+      shading_(&shading),
+      affine_texture_(drawn_case.varyings.back().interpolation == Interpolation::kNoperspective) {}
+
+ShadedSurface::Corners ShadedSurface::corners(const renderer::ShadedPrimitive& primitive) const {
+  Corners corners{};
+  for (size_t i = 0; i < 3; ++i) {
+    corners[i] = draw_->varyings.data() + size_t{primitive.vertices[i]} * kSceneComponents;
+  }
+  return corners;
+}
+
+glm::vec2 ShadedSurface::uv_with(const Corners& v, const renderer::PixelWeights& weights) const {
+  const renderer::VertexWeights& chosen = affine_texture_ ? weights.noperspective : weights.smooth;
+  const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], chosen); };
+  return {value(kUvComponent), value(kUvComponent + 1)};
+}
+
+SurfacePoint ShadedSurface::point_of(const Corners& v, const renderer::Fragment& fragment) const {
+  const renderer::PixelWeights weights = fragment.weights();
+  const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], weights.smooth); };
+  const auto vector = [&](uint32_t i) { return glm::vec3(value(i), value(i + 1), value(i + 2)); };
+  SurfacePoint point;
+  if (shines(shading_->uniforms)) point.position_world = vector(kPositionComponent);
+  if (shading_->uniforms.lights >= 0) point.normal_world = vector(kNormalComponent);
+  if (shading_->uniforms.textured == 0) return point;
+  point.uv = uv_with(v, weights);
+  if (shading_->uniforms.mipmapped == 0) return point;
+  // The differences in the quad of pixels that begins at even coordinates ("Derivative Operations").
+  const double to_other_x = fragment.x % 2 == 0 ? 1 : -1;
+  const double to_other_y = fragment.y % 2 == 0 ? 1 : -1;
+  const glm::vec2 other_x = uv_with(v, extrapolated_weights(fragment, to_other_x, 0));
+  const glm::vec2 other_y = uv_with(v, extrapolated_weights(fragment, 0, to_other_y));
+  point.uv_step_x = to_other_x > 0 ? other_x - point.uv : point.uv - other_x;
+  point.uv_step_y = to_other_y > 0 ? other_y - point.uv : point.uv - other_y;
+  return point;
+}
+
+glm::vec3 ShadedSurface::color(const Corners& corners, const renderer::Fragment& fragment) const {
+  return shaded_color(*shading_, point_of(corners, fragment));
+}
+
 ShadedProgram::ShadedProgram(const Case& drawn_case, const Draw& draw, uint32_t first_primitive,
                              const DrawShading& shading, Planes& planes)
     : hits_({}, draw, first_primitive, planes),
-      draw_(&draw),
-      shading_(&shading),
-      affine_texture_(drawn_case.varyings.back().interpolation == Interpolation::kNoperspective),
+      surface_(drawn_case, draw, shading),
       width_(planes.width),
       samples_(planes.samples) {
   for (size_t i = 0; i < color_.size(); ++i) color_[i] = planes.varyings[i].data();
@@ -132,41 +181,13 @@ ShadedProgram::ShadedProgram(const Case& drawn_case, const Draw& draw, uint32_t 
 
 ShadedProgram::PrimitiveData ShadedProgram::primitive_data(const renderer::ShadedPrimitive& primitive) const {
   PrimitiveData data = hits_.primitive_data(primitive);
-  for (size_t i = 0; i < 3; ++i) {
-    data.components[i] = draw_->varyings.data() + size_t{primitive.vertices[i]} * kSceneComponents;
-  }
+  data.components = surface_.corners(primitive);
   return data;
-}
-
-glm::vec2 ShadedProgram::uv_with(const PrimitiveData& data, const renderer::PixelWeights& weights) const {
-  const renderer::VertexWeights& chosen = affine_texture_ ? weights.noperspective : weights.smooth;
-  const auto& v = data.components;
-  const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], chosen); };
-  return {value(kUvComponent), value(kUvComponent + 1)};
-}
-
-SurfacePoint ShadedProgram::point_of(const PrimitiveData& data, const renderer::Fragment& fragment) const {
-  const renderer::VertexWeights weights = fragment.weights().smooth;
-  const auto& v = data.components;
-  const auto value = [&](uint32_t i) { return renderer::interpolate(v[0][i], v[1][i], v[2][i], weights); };
-  const auto vector = [&](uint32_t i) { return glm::vec3(value(i), value(i + 1), value(i + 2)); };
-  SurfacePoint point{.position_world = vector(kPositionComponent), .normal_world = vector(kNormalComponent)};
-  if (shading_->uniforms.textured == 0) return point;
-  point.uv = uv_with(data, fragment.weights());
-  if (shading_->uniforms.mipmapped == 0) return point;
-  // The differences in the quad of pixels that begins at even coordinates ("Derivative Operations").
-  const double to_other_x = fragment.x % 2 == 0 ? 1 : -1;
-  const double to_other_y = fragment.y % 2 == 0 ? 1 : -1;
-  const glm::vec2 other_x = uv_with(data, extrapolated_weights(fragment, to_other_x, 0));
-  const glm::vec2 other_y = uv_with(data, extrapolated_weights(fragment, 0, to_other_y));
-  point.uv_step_x = to_other_x > 0 ? other_x - point.uv : point.uv - other_x;
-  point.uv_step_y = to_other_y > 0 ? other_y - point.uv : point.uv - other_y;
-  return point;
 }
 
 void ShadedProgram::fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const {
   hits_.fragment(data, fragment);
-  const glm::vec3 color = shaded_color(*shading_, point_of(data, fragment));
+  const glm::vec3 color = surface_.color(data.components, fragment);
   const size_t pixel = static_cast<size_t>(fragment.y) * width_ + static_cast<size_t>(fragment.x);
   for (uint32_t rest = fragment.samples; rest != 0; rest &= rest - 1) {
     const size_t sample = pixel * samples_ + static_cast<size_t>(std::countr_zero(rest));
@@ -177,13 +198,43 @@ void ShadedProgram::fragment(const PrimitiveData& data, const renderer::Fragment
   }
 }
 
-Result<Planes> draw_shaded(const Case& drawn_case, const CaseShading& shading, const renderer::Options& options) {
+namespace {
+
+uint32_t packed(const glm::vec3& color) {
+  return static_cast<uint32_t>(renderer::packed_unorm8<renderer::ScalarLanes>({color.r, color.g, color.b, 1}));
+}
+
+// The colours alone, one sample a pixel.
+struct PictureProgram {
+  const Draw& draw;
+  ShadedSurface surface;
+  ColorTarget& target;
+
+  using PrimitiveData = ShadedSurface::Corners;
+  [[nodiscard]] ClipPosition position(uint32_t vertex) const { return draw.positions[vertex]; }
+  [[nodiscard]] PrimitiveData primitive_data(const renderer::ShadedPrimitive& primitive) const {
+    return surface.corners(primitive);
+  }
+  void fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const {
+    const size_t pixel = static_cast<size_t>(fragment.y) * target.width + static_cast<size_t>(fragment.x);
+    target.rgba[pixel] = packed(surface.color(data, fragment));
+  }
+};
+
+Result<void> check_scene_case(const Case& drawn_case, const CaseShading& shading) {
   if (drawn_case.varyings != scene_varyings(false) && drawn_case.varyings != scene_varyings(true)) {
     return failure("a case without the varyings of a scene", "add [scene] to the case");
   }
   if (shading.size() != drawn_case.draws.size()) {
     return failure(fmt::format("shading for {} draws of {}", shading.size(), drawn_case.draws.size()));
   }
+  return {};
+}
+
+}  // namespace
+
+Result<Planes> draw_shaded(const Case& drawn_case, const CaseShading& shading, const renderer::Options& options) {
+  if (const auto checked = check_scene_case(drawn_case, shading); !checked) return tl::unexpected(checked.error());
   const bool transforms = std::any_of(shading.begin(), shading.end(),
                                       [](const DrawShading& one) { return one.uniforms.transforms != 0; });
   if (transforms) {
@@ -204,6 +255,28 @@ Result<Planes> draw_shaded(const Case& drawn_case, const CaseShading& shading, c
         planes.varyings.resize(4);
         return planes;
       });
+}
+
+Result<void> draw_colors(const Case& drawn_case, const CaseShading& shading, const glm::vec3& background,
+                         const renderer::Options& options, ColorTarget& target) {
+  if (auto checked = check_scene_case(drawn_case, shading); !checked) return checked;
+  if (drawn_case.target.samples != VK_SAMPLE_COUNT_1_BIT) return failure("a picture of several samples a pixel");
+  target.width = drawn_case.target.width;
+  target.height = drawn_case.target.height;
+  const size_t pixels = size_t{target.width} * target.height;
+  target.rgba.assign(pixels, packed(background));
+  const VkFormat format = drawn_case.target.depth_format;
+  const bool has_depth = format != VK_FORMAT_UNDEFINED;
+  target.depth.assign(has_depth ? pixels : 0,
+                      renderer::quantized_depth(renderer::max_depth_code(format), drawn_case.target.clear_depth));
+  for (size_t i = 0; i < drawn_case.draws.size(); ++i) {
+    const Draw& draw = drawn_case.draws[i];
+    const std::vector<ElementRun> runs = element_runs(draw);
+    const PictureProgram program{draw, ShadedSurface(drawn_case, draw, shading[i]), target};
+    const renderer::DrawInput input = draw_input(drawn_case, draw, runs, {target.depth, format});
+    if (auto drawn = renderer::draw(input, program, options); !drawn) return drawn;
+  }
+  return {};
 }
 
 }  // namespace fillrule::programs

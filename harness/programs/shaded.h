@@ -31,10 +31,30 @@ struct TransformedVertex {
 TransformedVertex transformed_vertex(const ShadingUniforms& uniforms, const ClipPosition& position_object,
                                      const float* varyings);
 
+// The surface of a draw: the colour of its fragments.
+class ShadedSurface {
+ public:
+  // `draw` is one with the varyings of scene_varyings(). Where the vertex stage transforms, it has been transformed
+  // already.
+  ShadedSurface(const Case& drawn_case, const Draw& draw, const DrawShading& shading);
+
+  // The components of each vertex, the provoking one first.
+  using Corners = std::array<const float*, 3>;
+  [[nodiscard]] Corners corners(const renderer::ShadedPrimitive& primitive) const;
+  [[nodiscard]] glm::vec3 color(const Corners& corners, const renderer::Fragment& fragment) const;
+
+ private:
+  [[nodiscard]] SurfacePoint point_of(const Corners& corners, const renderer::Fragment& fragment) const;
+  [[nodiscard]] glm::vec2 uv_with(const Corners& corners, const renderer::PixelWeights& weights) const;
+
+  const Draw* draw_;
+  const DrawShading* shading_;
+  bool affine_texture_;
+};
+
+// To planes, with everything that is judged; the first four components are the colour.
 class ShadedProgram {
  public:
-  // `draw` is one with the varyings of scene_varyings(); the planes' first four components are the colour. Where the
-  // vertex stage transforms, `draw` has been transformed already (transformed()).
   ShadedProgram(const Case& drawn_case, const Draw& draw, uint32_t first_primitive, const DrawShading& shading,
                 Planes& planes);
 
@@ -44,13 +64,8 @@ class ShadedProgram {
   void fragment(const PrimitiveData& data, const renderer::Fragment& fragment) const;
 
  private:
-  [[nodiscard]] SurfacePoint point_of(const PrimitiveData& data, const renderer::Fragment& fragment) const;
-  [[nodiscard]] glm::vec2 uv_with(const PrimitiveData& data, const renderer::PixelWeights& weights) const;
-
   VaryingsProgram hits_;  // everything but the colour
-  const Draw* draw_;
-  const DrawShading* shading_;
-  bool affine_texture_;
+  ShadedSurface surface_;
   size_t width_;
   size_t samples_;
   std::array<float*, 4> color_{};
@@ -58,5 +73,18 @@ class ShadedProgram {
 
 // Draws a scene's case in colour: planes whose four varyings are r, g, b (0 to 1) and coverage (1).
 Result<Planes> draw_shaded(const Case& drawn_case, const CaseShading& shading, const renderer::Options& options);
+
+// The same colours and nothing else, for a picture that is looked at: R8G8B8A8_UNORM, red in the lowest byte, row by
+// row from the top left. Kept from one picture to the next, as it costs as much to make as to draw.
+struct ColorTarget {
+  uint32_t width = 0;  // pixels
+  uint32_t height = 0;
+  std::vector<uint32_t> rgba;
+  std::vector<float> depth;
+};
+
+// Draws a scene's case of one sample a pixel on the background, which is opaque. The vertex stage transforms nothing.
+Result<void> draw_colors(const Case& drawn_case, const CaseShading& shading, const glm::vec3& background,
+                         const renderer::Options& options, ColorTarget& target);
 
 }  // namespace fillrule::programs

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "harness/programs/draw_draws.h"
 
 namespace fillrule::programs {
@@ -111,6 +113,27 @@ Result<Planes> cleared_planes(const Case& drawn_case) {
     planes.depth.clear();
   }
   return planes;
+}
+
+renderer::DrawInput draw_input(const Case& drawn_case, const Draw& draw, std::span<const ElementRun> runs,
+                               const renderer::DepthBuffer& depth) {
+  const Target& target = drawn_case.target;
+  const bool sample_shading = std::any_of(drawn_case.varyings.begin(), drawn_case.varyings.end(),
+                                          [](const Varying& one) { return one.sampling == Sampling::kSample; });
+  return {.target_width = target.width,
+          .target_height = target.height,
+          .samples = static_cast<uint32_t>(target.samples),
+          .sample_shading = sample_shading,
+          .vertices = {.topology = draw.topology,
+                       .vertex_count = static_cast<uint32_t>(draw.positions.size()),
+                       .indices = draw.indices ? renderer::Indices(*draw.indices) : std::nullopt,
+                       .vertex_offset = draw.vertex_offset,
+                       .runs = runs,
+                       .point_sizes = draw.point_sizes},
+          .clip_distances = {.count = draw.clip_distance_count, .values = draw.clip_distances},
+          .cull_distances = {.count = draw.cull_distance_count, .values = draw.cull_distances},
+          .state = draw.state,
+          .depth = depth};
 }
 
 Result<Planes> draw_case(const Case& drawn_case, const renderer::Options& options) {

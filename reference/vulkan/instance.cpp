@@ -59,7 +59,8 @@ void prepare_environment(std::span<const std::string> driver_files) {
     if (!files.empty()) files += ':';
     files += file;
   }
-  if (!files.empty()) setenv("VK_ADD_DRIVER_FILES", files.c_str(), 1);
+  // Nothing is written where nothing changes: other threads may run when a further device is opened.
+  if (!files.empty() && (before == nullptr || files != before)) setenv("VK_ADD_DRIVER_FILES", files.c_str(), 1);
 }
 
 VKAPI_ATTR VkBool32 VKAPI_CALL keep_message(VkDebugUtilsMessageSeverityFlagBitsEXT /*severity*/,
