@@ -48,7 +48,7 @@ class TileAttachments {
   [[gnu::always_inline]] Block block(int32_t x, int32_t y) {
     const auto number = static_cast<uint32_t>((y - top_) / kBlockSize * kBlocksInRow + (x - left_) / kBlockSize);
     const size_t first = size_t{number} * kBlockSize * kBlockSize * input_.samples;
-    const Block block{depths_ + first, colors_ + first};
+    const Block block = block_from(first);
     if ((loaded_ >> number & 1U) == 0) {
       loaded_ |= uint64_t{1} << number;
       copy<false>(x, y, block);
@@ -62,12 +62,16 @@ class TileAttachments {
       const int32_t number = std::countr_zero(rest);
       const size_t first = static_cast<size_t>(number) * kBlockSize * kBlockSize * input_.samples;
       copy<true>(left_ + number % kBlocksInRow * kBlockSize, top_ + number / kBlocksInRow * kBlockSize,
-                 {depths_ + first, colors_ + first});
+                 block_from(first));
     }
   }
 
  private:
   static constexpr int32_t kBlocksInRow = kTileSize / kBlockSize;
+
+  [[nodiscard]] Block block_from(size_t first) const {
+    return {depths_ == nullptr ? nullptr : depths_ + first, colors_ == nullptr ? nullptr : colors_ + first};
+  }
 
   // A block's pixels that are in the target; to the attachments or from them.
   template <bool kStore>
