@@ -97,16 +97,17 @@ TEST(Lanes, LimitWhatIsNoNumber) {
 }
 
 TEST(Lanes, RepeatEachOfThem) {
-  if (!is_supported(Isa::kAvx2)) GTEST_SKIP();
-  std::array<int32_t, 16> result{};
-  dispatch(
-      Isa::kAvx2, [&]<typename L>() __attribute__((always_inline)) {
-        if constexpr (L::kWidth == kCount) {
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          std::array<int32_t, size_t{2} * L::kWidth> result{};
           L::store(L::template repeated<2, 0>(L::numbers()), result.data());
           L::store(L::template repeated<2, 1>(L::numbers()), result.data() + L::kWidth);
-        }
-      });
-  EXPECT_EQ(result, (std::array<int32_t, 16>{0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5, 6, 6, 7, 7}));
+          for (size_t i = 0; i < result.size(); ++i)
+            EXPECT_EQ(result[i], static_cast<int32_t>(i / 2)) << to_string(isa);
+        });
+  }
 }
 
 TEST(Coverage, IsTheSameWithAnyInstructionSet) {
