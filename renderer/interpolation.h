@@ -59,6 +59,9 @@ inline float interpolate(float value0, float value1, float value2, const VertexW
 }
 
 struct PrimitiveInterpolation {
+  // Inside the triangle every l_i is in [0, 1/w].
+  static constexpr double kPlausible = 2;
+
   int32_t anchor_x = 0;  // pixels
   int32_t anchor_y = 0;
   std::array<WindowPlane, 3> per_w;          // l_i
@@ -95,8 +98,6 @@ struct PrimitiveInterpolation {
                                      per_w[2].at(x_from_anchor, y_from_anchor)};
     const double reciprocal_w = l[0] + l[1] + l[2];
     const double greatest = std::max(std::max(std::abs(l[0]), std::abs(l[1])), std::abs(l[2]));
-    // Inside the triangle every l_i is in [0, 1/w].
-    constexpr double kPlausible = 2;
     if (!(greatest <= kPlausible * reciprocal_w)) {
       return constrained_weights(l);
     }

@@ -56,6 +56,10 @@ struct Shader {
           colors.write(row * kBlockSize, block.y + row, L::mask_of(bits_at(own, column, row)));
         }
       }
+    } else if constexpr (BlockProgram<P>) {
+      if (landed != 0) {
+        program.block(data, block.x, block.y, landed, interpolation);
+      }
     } else {
       for (; landed != 0; landed &= landed - 1) {
         const int32_t bit = std::countr_zero(landed);

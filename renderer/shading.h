@@ -76,6 +76,16 @@ concept FragmentProgram = PrimitiveProgram<P> &&
   program.fragment(data, fragment);
 };
 
+// A fragment program that takes the fragments of a block of 8x8 pixels at once where each pixel has one sample, which
+// all of them land on: bit 8 * row + column of `landed`. Must be inlined always, so that its loops are translated for
+// the chosen instruction set.
+template <typename P>
+concept BlockProgram = FragmentProgram<P> &&
+    requires(const P& program, const typename P::PrimitiveData& data, int32_t x, int32_t y, uint64_t landed,
+             const PrimitiveInterpolation& interpolation) {
+  program.block(data, x, y, landed, interpolation);
+};
+
 // A program that gives fragments their colour for the colour attachment, as many at once as there are lanes:
 //   template <typename L> [[gnu::always_inline]] Color<L> color(const PrimitiveData&, const FragmentLanes<L>&) const;
 template <typename P>

@@ -36,7 +36,8 @@ struct Planes {
     planes.owner.assign(size, kNoOwner);
     planes.front_facing.assign(size, 0);
     planes.depth.assign(size, clear_depth);
-    planes.varyings.assign(components, std::vector<float>(size, 0.0F));
+    planes.varyings.resize(components);
+    for (std::vector<float>& plane : planes.varyings) plane.resize(size);
     return planes;
   }
 };

@@ -1,94 +1,17 @@
 #include "harness/judge/judge.h"
 
 #include <algorithm>
-#include <bit>
 #include <optional>
 
-#include "harness/judge/row_judge.h"
-#include "harness/judge/standing.h"
+#include "harness/judge/judged_party.h"
 
 namespace fillrule::judge {
 namespace {
 
 using Class = Standing::Class;
 
-// What is exact for all parties of equal subpixel bits.
-struct ExactAnswers {
-  const exact::Expectation& expectation;
-  ValueCache values;
-  RowJudge rows;
-
-  ExactAnswers(const Case& test_case, const exact::Expectation& expected)
-      : expectation(expected), values(test_case, expected), rows(test_case, expected, values) {}
-};
-
-// A party with everything that judging it takes.
-struct Judged {
-  const Party& party;
-  ExactAnswers& answers;
-  Replay replay;
-  PartyJudge judge;
-  const Possibilities* possible = nullptr;
-
-  Judged(const Case& test_case, const Party& judged, ExactAnswers& exact_answers, Replay::Rules rules)
-      : party(judged),
-        answers(exact_answers),
-        replay(test_case, answers.expectation, answers.values, judged.subpixel_bits, rules),
-        judge(test_case, *judged.planes, answers.expectation, answers.values) {}
-};
-
 bool is_value(PlaneKind kind) {
   return kind == PlaneKind::kDepth || kind == PlaneKind::kVarying;
-}
-
-// One plane of a party, whatever its type.
-struct PlaneValue {
-  uint32_t bits = 0;
-  double number = 0;
-};
-
-PlaneValue integer(uint32_t value) {
-  return {.bits = value, .number = static_cast<double>(value)};
-}
-
-PlaneValue floating(float value) {
-  return {.bits = std::bit_cast<uint32_t>(value), .number = static_cast<double>(value)};
-}
-
-PlaneValue value_of(const Planes& planes, PlaneKind kind, uint32_t component, size_t index) {
-  switch (kind) {
-    case PlaneKind::kCoverage:
-      return integer(planes.hits[index] != 0 ? 1 : 0);
-    case PlaneKind::kHits:
-      return integer(planes.hits[index]);
-    case PlaneKind::kOwner:
-      return integer(planes.owner[index]);
-    case PlaneKind::kFrontFacing:
-      return integer(planes.front_facing[index]);
-    case PlaneKind::kDepth:
-      return floating(planes.depth[index]);
-    case PlaneKind::kVarying:
-      return floating(planes.varyings[component][index]);
-  }
-  return {};
-}
-
-Standing standing_of(const Judged& judged, PlaneKind kind, uint32_t component, size_t index) {
-  switch (kind) {
-    case PlaneKind::kCoverage:
-      return judged.judge.coverage(*judged.possible, index);
-    case PlaneKind::kHits:
-      return judged.judge.hits(*judged.possible, index);
-    case PlaneKind::kOwner:
-      return judged.judge.owner(*judged.possible, index);
-    case PlaneKind::kFrontFacing:
-      return judged.judge.front_facing(*judged.possible, index);
-    case PlaneKind::kDepth:
-      return judged.judge.depth(*judged.possible, index);
-    case PlaneKind::kVarying:
-      return judged.judge.varying(*judged.possible, index, component);
-  }
-  return {};
 }
 
 Verdict combine(const Standing& candidate, const Standing* reference, bool equal_bits) {
@@ -121,7 +44,7 @@ std::vector<PlaneVerdict> planes_of(const Case& test_case, bool with_depth) {
 
 class CaseJudge {
  public:
-  CaseJudge(const Case& test_case, Judged& candidate, Judged* reference, const Settings& settings)
+  CaseJudge(const Case& test_case, JudgedParty& candidate, JudgedParty* reference, const Settings& settings)
       : case_(test_case), candidate_(candidate), reference_(reference), settings_(settings) {}
 
   CaseVerdict run() {
@@ -169,9 +92,49 @@ class CaseJudge {
 
   void judge_run(CaseVerdict& verdict, size_t begin, size_t end) {
     const bool in_bulk = start_bulk(begin, end);
+    if (!in_bulk && !settings_.keep_maps && !reference_differs()) {
+      judge_layers(verdict, begin, end);
+      return;
+    }
     if (in_bulk && candidate_.answers.expectation.sole()[begin] != exact::kNothing) {
       verdict.covered_samples += end - begin;
     }
+    judge_planes(verdict, begin, end, in_bulk);
+  }
+
+  // Samples at which several pieces may land, or one fail the depth test. Wherever it is certain which one is on top,
+  // neighbours of the same one are judged at once.
+  void judge_layers(CaseVerdict& verdict, size_t begin, size_t end) {
+    std::optional<Landed> top;
+    size_t first = begin;
+    for (size_t index = begin; index < end; ++index) {
+      const std::optional<Landed> here = certain_landing(index);
+      if (here != top || !here) {
+        judge_top(verdict, top, first, index);
+        top = here;
+        first = index;
+      }
+    }
+    judge_top(verdict, top, first, end);
+  }
+
+  void judge_top(CaseVerdict& verdict, const std::optional<Landed>& top, size_t begin, size_t end) {
+    if (begin == end) return;
+    const bool in_bulk = top && candidate_.answers.rows.start_top(*top, begin, end);
+    if (in_bulk && top->hits > 0) verdict.covered_samples += end - begin;
+    judge_planes(verdict, begin, end, in_bulk);
+  }
+
+  // What lands at the sample whatever rounding does, if that is certain for every party.
+  std::optional<Landed> certain_landing(size_t index) {
+    const Possibilities& possible = candidate_.replay.at(index);
+    if (candidate_.replay.used_rules() || candidate_.judge.breaks_line_rule(index)) return std::nullopt;
+    if (has_reference() && reference_->judge.breaks_line_rule(index)) return std::nullopt;
+    return landed_of(possible);
+  }
+
+  // Samples [begin, end) of one outcome, if it is certain (`in_bulk`): all planes at once where all values are right.
+  void judge_planes(CaseVerdict& verdict, size_t begin, size_t end, bool in_bulk) {
     const bool try_bulk = in_bulk && !settings_.keep_maps;
     const bool integers = try_bulk && integers_right();
     size_t open = 0;  // planes that have to be judged sample by sample
@@ -245,7 +208,7 @@ class CaseJudge {
 
   SampleRecord judge_component(PlaneKind kind, uint32_t component, size_t index) {
     const PlaneValue candidate_value = value_of(*candidate_.party.planes, kind, component, index);
-    Standing candidate = standing_of(candidate_, kind, component, index);
+    Standing candidate = candidate_.standing_of(kind, component, index);
     if (settings_.profile.precise && candidate.level == Class::kImprecise) candidate.level = Class::kOutside;
     const exact::SamplePlace place = exact::sample_place(case_.target, index);
     SampleRecord sample{.x = place.x,
@@ -260,7 +223,7 @@ class CaseJudge {
       return sample;
     }
     const PlaneValue reference_value = value_of(*reference_->party.planes, kind, component, index);
-    const Standing reference = standing_of(*reference_, kind, component, index);
+    const Standing reference = reference_->standing_of(kind, component, index);
     const bool equal_bits = candidate_value.bits == reference_value.bits;
     if (!equal_bits && !reference.outside() && must_have_same_bits(kind, index)) candidate.level = Class::kOutside;
     sample.reference = reference_value.number;
@@ -297,8 +260,8 @@ class CaseJudge {
   }
 
   const Case& case_;
-  Judged& candidate_;
-  Judged* reference_;
+  JudgedParty& candidate_;
+  JudgedParty* reference_;
   const Settings& settings_;
   std::vector<uint8_t> open_planes_;
   std::vector<uint32_t> marks_;
@@ -314,12 +277,13 @@ Oracle::Oracle(const Case& test_case, uint32_t candidate_bits, std::optional<uin
 CaseVerdict judge(const Case& test_case, const Oracle& oracle, const Party& candidate, const Party* reference,
                   const Settings& settings) {
   ExactAnswers for_candidate(test_case, oracle.for_candidate());
-  Judged judged_candidate(test_case, candidate, for_candidate,
-                          {.top_left = settings.profile.top_left, .diamond_exit = settings.profile.diamond_exit});
+  JudgedParty judged_candidate(
+      test_case, candidate, for_candidate,
+      {.top_left = settings.profile.top_left, .diamond_exit = settings.profile.diamond_exit});
   if (reference == nullptr) return CaseJudge(test_case, judged_candidate, nullptr, settings).run();
   std::optional<ExactAnswers> for_reference;
   if (&oracle.for_reference() != &oracle.for_candidate()) for_reference.emplace(test_case, oracle.for_reference());
-  Judged judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, {});
+  JudgedParty judged_reference(test_case, *reference, for_reference ? *for_reference : for_candidate, {});
   return CaseJudge(test_case, judged_candidate, &judged_reference, settings).run();
 }
 

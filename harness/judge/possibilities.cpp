@@ -15,11 +15,16 @@ using exact::Coverage;
 using exact::Entry;
 using exact::Piece;
 
+// Two ways to the same end.
+void unite(Outcome& known, const Outcome& other) {
+  known.owner_certain = known.owner_certain && other.owner_certain;
+  known.depth_certain = known.depth_certain && other.depth_certain;
+}
+
 void add_unique(std::vector<Outcome>& outcomes, const Outcome& outcome) {
   for (Outcome& known : outcomes) {
     if (known.piece != outcome.piece || known.depth_writer != outcome.depth_writer) continue;
-    known.owner_certain = known.owner_certain && outcome.owner_certain;
-    known.depth_certain = known.depth_certain && outcome.depth_certain;
+    unite(known, outcome);
     return;
   }
   outcomes.push_back(outcome);
@@ -32,6 +37,12 @@ bool has_values(const Piece& piece) {
 // Whether what is stored decides about what lands.
 bool depends_on_depth(const Draw& draw) {
   return draw.state.depth_test || draw.state.depth_bounds.has_value();
+}
+
+// Whether its own depth decides about a fragment.
+bool compares_depth(const RasterState& state) {
+  return state.depth_test && state.depth_compare != VK_COMPARE_OP_ALWAYS &&
+         state.depth_compare != VK_COMPARE_OP_NEVER;
 }
 
 // Drawn from the same bits with the same state, two triangles have the same depth to the bit.
@@ -62,9 +73,12 @@ Replay::Replay(const Case& test_case, const exact::Expectation& expectation, Val
       values_(values),
       subpixel_bits_(subpixel_bits),
       rules_(rules),
-      on_grid_(expectation.pieces().size(), 0) {}
+      on_grid_(expectation.pieces().size(), 0),
+      depths_(expectation.pieces().size()) {}
 
 const Possibilities& Replay::at(size_t index) {
+  if (asked_ > 0 && index == index_) return possibilities_;
+  index_ = index;
   expectation_.collect(index, entries_);
   used_rules_ = false;
   const auto is_certain = [this](const Entry& entry) {
@@ -75,6 +89,7 @@ const Possibilities& Replay::at(size_t index) {
   if (same_everywhere && has_last_ && entries_ == last_entries_) return possibilities_;
   last_entries_ = entries_;
   has_last_ = same_everywhere;
+  ++asked_;
   possibilities_.least_hits = 0;
   possibilities_.most_hits = 0;
   possibilities_.in_doubt = false;
@@ -159,43 +174,67 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   // Wherever a Bresenham line has a fragment, its values are those of the place.
   const bool is_bresenham = piece.kind == Piece::Kind::kBresenhamLine;
   const bool certain = (entry.coverage == Coverage::kMust || is_bresenham) && has_values(piece);
+  const bool writes = state.depth_test && state.depth_write && case_.target.depth_format != VK_FORMAT_UNDEFINED;
+  const Layer layer{.piece = piece,
+                    .state = state,
+                    .depth = compares_depth(state) ? depth_of(entry.piece, x, y) : exact::DepthRange{}};
   bool lands_always = must;
   bool lands_ever = false;
   before_.swap(possibilities_.outcomes);
   possibilities_.outcomes.clear();
+  landed_.clear();
   for (const Outcome& before : before_) {
-    const DepthResult result = tests(entry.piece, before.depth_writer, x, y);
+    const DepthResult result = tests(layer, before.depth_writer, x, y);
     const bool lands = result != DepthResult::kFails;
     lands_ever = lands_ever || lands;
     lands_always = lands_always && result == DepthResult::kPasses;
     // In which order a polygon's edges or corners are drawn is left open: the one before may have been the last.
-    const bool was_first = before.piece != kNoOwner && any_order(entry.piece, before.piece);
-    if (!must || result != DepthResult::kPasses || was_first) add_unique(possibilities_.outcomes, before);
+    const bool was_first = before.piece != kNoOwner && any_order(layer, before.piece);
+    // The outcomes before differ from each other, and this piece was drawn by none of them.
+    if (!must || result != DepthResult::kPasses || was_first) possibilities_.outcomes.push_back(before);
     if (!lands) continue;
     Outcome after = before;
     after.owner = piece.owner;
     after.piece = entry.piece;
     after.owner_certain = certain;
-    if (state.depth_test && state.depth_write && case_.target.depth_format != VK_FORMAT_UNDEFINED) {
+    if (writes) {
       after.depth_writer = entry.piece;
       after.depth_certain = certain;
     }
-    add_unique(possibilities_.outcomes, after);
+    add_landed(after);
   }
   possibilities_.least_hits += lands_always ? 1 : 0;
   possibilities_.most_hits += lands_ever ? 1 : 0;
 }
 
-// What may be stored for the piece, or, for none, what the target was cleared to.
+// Outcomes that the piece being drawn landed in differ by what is stored alone: nearly always by nothing.
+void Replay::add_landed(const Outcome& outcome) {
+  for (const size_t place : landed_) {
+    Outcome& known = possibilities_.outcomes[place];
+    if (known.depth_writer == outcome.depth_writer) {
+      unite(known, outcome);
+      return;
+    }
+  }
+  landed_.push_back(possibilities_.outcomes.size());
+  possibilities_.outcomes.push_back(outcome);
+}
+
+// What may be stored for the piece, or, for none, what the target was cleared to. Asked for again by each layer.
 exact::DepthRange Replay::depth_of(uint32_t piece, double x, double y) {
-  const VkFormat format = case_.target.depth_format;
-  if (piece == kNoOwner) return exact::stored_clear(format, case_.target.clear_depth, false);
+  if (piece == kNoOwner) return exact::stored_clear(case_.target.depth_format, case_.target.clear_depth, false);
+  SampleDepth& known = depths_[piece];
+  if (known.asked != asked_) known = {.asked = asked_, .range = depth_range_of(piece, x, y)};
+  return known.range;
+}
+
+exact::DepthRange Replay::depth_range_of(uint32_t piece, double x, double y) {
   if (!has_values(expectation_.pieces()[piece])) {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     return {.low = -kInfinity, .high = kInfinity};
   }
   const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
-  return range_in(format, state, values_.values(piece).depth(x, y));
+  return range_in(case_.target.depth_format, state, values_.values(piece).depth(x, y));
 }
 
 // What is stored has to be within the bounds; a fixed-point format may round them too.
@@ -209,38 +248,32 @@ Replay::DepthResult Replay::bounds_test(const DepthBounds& bounds, uint32_t stor
   return DepthResult::kEither;
 }
 
-Replay::DepthResult Replay::tests(uint32_t piece, uint32_t stored, double x, double y) {
+Replay::DepthResult Replay::tests(const Layer& layer, uint32_t stored, double x, double y) {
   // Without a depth attachment both tests pass.
   if (case_.target.depth_format == VK_FORMAT_UNDEFINED) return DepthResult::kPasses;
-  const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
   DepthResult result = DepthResult::kPasses;
-  if (state.depth_bounds) result = bounds_test(*state.depth_bounds, stored, x, y);
-  if (!state.depth_test || result == DepthResult::kFails) return result;
-  const DepthResult by_depth = depth_test(piece, stored, x, y);
+  if (layer.state.depth_bounds) result = bounds_test(*layer.state.depth_bounds, stored, x, y);
+  if (!layer.state.depth_test || result == DepthResult::kFails) return result;
+  const DepthResult by_depth = depth_test(layer, stored, x, y);
   return by_depth == DepthResult::kPasses ? result : by_depth;
 }
 
-// Of two parts of one outline either may be drawn first.
-bool Replay::any_order(uint32_t piece, uint32_t stored) const {
-  if (stored == kNoOwner) return false;
-  const Piece& part = expectation_.pieces()[piece];
-  return part.of_polygon && part.owner == expectation_.pieces()[stored].owner;
+bool Replay::any_order(const Layer& layer, uint32_t stored) const {
+  return layer.piece.of_polygon && stored != kNoOwner && layer.piece.owner == expectation_.pieces()[stored].owner;
 }
 
-Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x, double y) {
-  const VkCompareOp op = case_.draws[expectation_.pieces()[piece].draw].state.depth_compare;
+Replay::DepthResult Replay::depth_test(const Layer& layer, uint32_t stored, double x, double y) {
+  const VkCompareOp op = layer.state.depth_compare;
   if (op == VK_COMPARE_OP_ALWAYS) return DepthResult::kPasses;
   if (op == VK_COMPARE_OP_NEVER) return DepthResult::kFails;
-  bool may_be_less = false;
-  bool may_be_greater = false;
-  bool may_be_equal = true;
-  if (any_order(piece, stored)) return DepthResult::kEither;
-  if (stored == kNoOwner || !same_geometry(case_, expectation_.pieces()[piece], expectation_.pieces()[stored])) {
-    const exact::DepthRange incoming = depth_of(piece, x, y);
-    const exact::DepthRange present = depth_of(stored, x, y);
-    may_be_less = incoming.low < present.high;
-    may_be_greater = incoming.high > present.low;
-    may_be_equal = incoming.low <= present.high && incoming.high >= present.low;
+  if (any_order(layer, stored)) return DepthResult::kEither;
+  const exact::DepthRange present = depth_of(stored, x, y);
+  bool may_be_less = layer.depth.low < present.high;
+  bool may_be_greater = layer.depth.high > present.low;
+  const bool may_be_equal = layer.depth.low <= present.high && layer.depth.high >= present.low;
+  if (stored != kNoOwner && may_be_equal && same_geometry(case_, layer.piece, expectation_.pieces()[stored])) {
+    may_be_less = false;
+    may_be_greater = false;
   }
   const auto bit = static_cast<uint32_t>(op);  // less 1, equal 2, greater 4: VkCompareOp is made of them
   const bool passes_ever =
@@ -249,6 +282,13 @@ Replay::DepthResult Replay::depth_test(uint32_t piece, uint32_t stored, double x
       (may_be_less && (bit & 1U) == 0) || (may_be_equal && (bit & 2U) == 0) || (may_be_greater && (bit & 4U) == 0);
   if (passes_ever && fails_ever) return DepthResult::kEither;
   return passes_ever ? DepthResult::kPasses : DepthResult::kFails;
+}
+
+std::optional<Landed> landed_of(const Possibilities& possible) {
+  if (possible.in_doubt || possible.undefined || possible.outcomes.size() != 1) return std::nullopt;
+  const Outcome& only = possible.outcomes.front();
+  if (!only.owner_certain || !only.depth_certain || possible.least_hits != possible.most_hits) return std::nullopt;
+  return Landed{.piece = only.piece, .depth_writer = only.depth_writer, .hits = possible.least_hits};
 }
 
 OracleAnswer answer_of(const Possibilities& possible) {

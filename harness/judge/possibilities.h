@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "cases/model/case.h"
@@ -31,6 +32,15 @@ struct Possibilities {
   bool undefined = false;  // ... because the piece is undefined
   std::vector<Outcome> outcomes;
 };
+
+// What has landed where everything is certain.
+struct Landed {
+  uint32_t piece = kNoOwner;         // on top
+  uint32_t depth_writer = kNoOwner;  // as in Outcome
+  uint32_t hits = 0;
+  bool operator==(const Landed&) const = default;
+};
+std::optional<Landed> landed_of(const Possibilities& possible);
 
 // The same in short.
 OracleAnswer answer_of(const Possibilities& possible);
@@ -71,28 +81,46 @@ class Replay {
 
  private:
   enum class DepthResult : uint8_t { kFails, kPasses, kEither };
+  // The piece that is being drawn over what is there.
+  struct Layer {
+    const exact::Piece& piece;
+    const RasterState& state;
+    exact::DepthRange depth;  // that it may have, if it is tested
+  };
+  // What a piece may store, at the sample of this number.
+  struct SampleDepth {
+    uint64_t asked = 0;
+    exact::DepthRange range;
+  };
 
   void resolve_ties(double x, double y);
   // What the entries [begin, end) of the sample do to the outcomes so far.
   void replay(size_t begin, size_t end, double x, double y);
   bool replay_watertight(size_t begin, size_t end, double x, double y);
   void land(const exact::Entry& entry, bool must, double x, double y);
-  [[nodiscard]] bool any_order(uint32_t piece, uint32_t stored) const;
-  [[nodiscard]] DepthResult depth_test(uint32_t piece, uint32_t stored, double x, double y);
+  // Whether the stored piece is another part of the layer's outline: of two of them either may be drawn first.
+  [[nodiscard]] bool any_order(const Layer& layer, uint32_t stored) const;
+  [[nodiscard]] DepthResult depth_test(const Layer& layer, uint32_t stored, double x, double y);
   [[nodiscard]] bool resolved_on_grid(const exact::Entry& entry);
   [[nodiscard]] DepthResult bounds_test(const DepthBounds& bounds, uint32_t stored, double x, double y);
   // The depth test and the depth bounds test.
-  [[nodiscard]] DepthResult tests(uint32_t piece, uint32_t stored, double x, double y);
+  [[nodiscard]] DepthResult tests(const Layer& layer, uint32_t stored, double x, double y);
   [[nodiscard]] exact::DepthRange depth_of(uint32_t piece, double x, double y);
+  [[nodiscard]] exact::DepthRange depth_range_of(uint32_t piece, double x, double y);
+  void add_landed(const Outcome& outcome);
 
   const Case& case_;
   const exact::Expectation& expectation_;
   ValueCache& values_;
   uint32_t subpixel_bits_;
   Rules rules_;
-  std::vector<uint8_t> on_grid_;  // for each piece: 0 not asked yet, 1 no, 2 yes
+  std::vector<uint8_t> on_grid_;     // for each piece: 0 not asked yet, 1 no, 2 yes
+  std::vector<SampleDepth> depths_;  // for each piece
+  uint64_t asked_ = 0;               // samples replayed so far
+  size_t index_ = 0;                 // the last of them
   std::vector<exact::Entry> entries_;
   std::vector<Outcome> before_;
+  std::vector<size_t> landed_;  // the outcomes in which the piece being drawn landed
   Possibilities possibilities_;
   bool used_rules_ = false;
   // What was asked for last, and whether the answer holds wherever the entries are the same.

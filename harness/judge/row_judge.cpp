@@ -74,27 +74,46 @@ RowJudge::Landing RowJudge::landing_of(uint32_t number) {
 }
 
 bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
-  if (sole != exact::kNothing) {
-    if (landing_of(sole) != Landing::kCertain) return false;
+  const bool nothing = sole == exact::kNothing;
+  if (!nothing && landing_of(sole) != Landing::kCertain) return false;
+  begin_run(sole, nothing ? 0 : 1, begin, end);
+  return true;
+}
+
+bool RowJudge::start_top(const Landed& landed, size_t begin, size_t end) {
+  if (landed.piece == kNoOwner) {
+    begin_run(exact::kNothing, 0, begin, end);
+    return true;
+  }
+  const exact::Piece& piece = expectation_.pieces()[landed.piece];
+  if (piece.triangle() == nullptr || piece.facing_in_doubt) return false;
+  const RasterState& state = case_.draws[piece.draw].state;
+  const uint32_t writer = state.depth_test && state.depth_write ? landed.piece : kNoOwner;
+  if (landed.depth_writer != writer && case_.target.depth_format != VK_FORMAT_UNDEFINED) return false;
+  begin_run(landed.piece, landed.hits, begin, end);
+  return true;
+}
+
+void RowJudge::begin_run(uint32_t top, uint32_t hits, size_t begin, size_t end) {
+  if (top != exact::kNothing) {
     const exact::Position position = exact::sample_place(case_.target, begin).position;
     x_ = position.x;
     y_ = position.y;
   }
-  sole_ = sole;
+  top_ = top;
+  hits_ = hits;
   begin_ = begin;
   size_ = end - begin;
   has_w_ = false;
-  return true;
 }
 
 bool RowJudge::integers_right(const Planes& planes) const {
-  const bool nothing = sole_ == exact::kNothing;
-  const uint32_t hits = nothing ? 0 : 1;
-  const uint32_t owner = nothing ? kNoOwner : expectation_.pieces()[sole_].owner;
-  const uint32_t front_facing = !nothing && expectation_.pieces()[sole_].front_facing ? 1 : 0;
+  const bool nothing = top_ == exact::kNothing;
+  const uint32_t owner = nothing ? kNoOwner : expectation_.pieces()[top_].owner;
+  const uint32_t front_facing = !nothing && expectation_.pieces()[top_].front_facing ? 1 : 0;
   uint32_t difference = 0;
   for (size_t i = begin_; i < begin_ + size_; ++i) {
-    difference |= (planes.hits[i] ^ hits) | (planes.owner[i] ^ owner) | (planes.front_facing[i] ^ front_facing);
+    difference |= (planes.hits[i] ^ hits_) | (planes.owner[i] ^ owner) | (planes.front_facing[i] ^ front_facing);
   }
   return difference == 0;
 }
@@ -104,7 +123,7 @@ bool RowJudge::expect(PlaneKind kind, uint32_t component) {
   component_ = component;
   constant_.reset();
   if (kind == PlaneKind::kDepth) return expect_depth();
-  return sole_ == exact::kNothing ? expect_constant(0) : expect_varying(component);
+  return top_ == exact::kNothing ? expect_constant(0) : expect_varying(component);
 }
 
 bool RowJudge::expect_constant(float value) {
@@ -114,21 +133,21 @@ bool RowJudge::expect_constant(float value) {
 
 bool RowJudge::expect_depth() {
   const RasterState* const state =
-      sole_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[sole_].draw].state;
+      top_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[top_].draw].state;
   if (state == nullptr || !state->depth_test || !state->depth_write) {
     return expect_constant(exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth}));
   }
   if (has_several_samples() || !has_plain_depth(*state, case_.target.depth_format)) return false;
   expected_.resize(size_);
   least_.resize(size_);
-  values_.triangle(sole_).depth_row(x_, y_, expected_, least_);
+  values_.triangle(top_).depth_row(x_, y_, expected_, least_);
   for (double& depth : expected_) depth = std::clamp(depth, 0.0, 1.0);
   return true;
 }
 
 bool RowJudge::expect_varying(uint32_t component) {
   if (sources_[component].source != VaryingSource::kVertices) return false;
-  const exact::TriangleValues& triangle = values_.triangle(sole_);
+  const exact::TriangleValues& triangle = values_.triangle(top_);
   const exact::TriangleValues::Component& prepared = triangle.component(sources_[component].number);
   if (prepared.interpolation == Interpolation::kFlat) return expect_constant(prepared.provoking);
   if (!prepared.judged || has_several_samples()) return false;

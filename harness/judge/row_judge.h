@@ -1,4 +1,4 @@
-// A run of samples in a row about which the oracle is certain: either nothing lands there, or one primitive alone.
+// A run of samples in a row about which the oracle is certain: either nothing lands there, or one primitive on top.
 // Whole planes are compared at once with the exact values, which is many times faster than asking sample by sample;
 // whatever is not well within its tolerance is left to that. What is exact is the same for all parties of equal
 // subpixel bits, and worked out once for them.
@@ -27,6 +27,9 @@ class RowJudge {
   // unless nothing lands there. False if the outcome is not certain after all: a depth test that may fail, or a
   // primitive whose values are undefined ground.
   bool start(uint32_t sole, size_t begin, size_t end);
+  // Prepares for samples [begin, end) of one row where it is certain what is on top, whatever is below. False if that
+  // is no piece whose values can be told in rows.
+  bool start_top(const Landed& landed, size_t begin, size_t end);
 
   // Whether a party's hits, owner and facing are what they have to be, at every sample.
   [[nodiscard]] bool integers_right(const Planes& planes) const;
@@ -43,6 +46,7 @@ class RowJudge {
  private:
   enum class Landing : uint8_t { kUnknown, kCertain, kUncertain };
   Landing landing_of(uint32_t number);
+  void begin_run(uint32_t top, uint32_t hits, size_t begin, size_t end);
   bool expect_depth();
   bool expect_varying(uint32_t component);
   bool expect_constant(float value);
@@ -56,7 +60,8 @@ class RowJudge {
   ValueCache& values_;
   std::vector<ComponentSource> sources_;
   std::vector<Landing> landing_;  // for each primitive, once asked
-  uint32_t sole_ = 0;
+  uint32_t top_ = 0;              // the piece on top, or kNothing
+  uint32_t hits_ = 0;
   size_t begin_ = 0;
   size_t size_ = 0;
   double x_ = 0;

@@ -26,6 +26,8 @@ class PartyJudge {
  public:
   PartyJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation, ValueCache& values);
 
+  // Whether the planes break a rule for lines as a whole there.
+  [[nodiscard]] bool breaks_line_rule(size_t index) const;
   [[nodiscard]] Standing coverage(const Possibilities& possible, size_t index) const;
   [[nodiscard]] Standing hits(const Possibilities& possible, size_t index) const;
   [[nodiscard]] Standing owner(const Possibilities& possible, size_t index) const;
@@ -34,7 +36,6 @@ class PartyJudge {
   [[nodiscard]] Standing varying(const Possibilities& possible, size_t index, uint32_t component) const;
 
  private:
-  [[nodiscard]] bool breaks_line_rule(size_t index) const;
   [[nodiscard]] Standing depth_of(const Outcome& outcome, size_t index) const;
   [[nodiscard]] Standing varying_of(const Outcome& outcome, size_t index, uint32_t component) const;
   [[nodiscard]] Standing frag_coord(const exact::Piece& piece, const exact::PieceValues& values,

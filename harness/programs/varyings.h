@@ -12,6 +12,7 @@
 #include "cases/model/planes.h"
 #include "cases/model/result.h"
 #include "renderer/pipeline.h"
+#include "renderer/row_weights.h"
 
 namespace fillrule::programs {
 
@@ -61,6 +62,22 @@ class VaryingsProgram {
     }
   }
 
+  // The same for a block of pixels of one sample, row by row where that pays.
+  [[gnu::always_inline]] void block(const PrimitiveData& data, int32_t x, int32_t y, uint64_t landed,
+                                    const renderer::PrimitiveInterpolation& interpolation) const {
+    constexpr int kFew = 2;  // cost less one by one
+    const bool by_rows = is_plain_ && static_cast<size_t>(x) + renderer::kBlockSize <= width_;
+    for (; landed != 0; landed >>= renderer::kBlockSize, ++y) {
+      const auto row = static_cast<uint32_t>(landed & 0xFFU);
+      if (by_rows && std::popcount(row) > kFew && plain_row(data, x, y, row, interpolation)) {
+        continue;
+      }
+      for (uint32_t rest = row; rest != 0; rest &= rest - 1) {
+        fragment(data, {.x = x + std::countr_zero(rest), .y = y, .interpolation = interpolation});
+      }
+    }
+  }
+
  private:
   struct Component {
     float* plane = nullptr;
@@ -88,6 +105,71 @@ class VaryingsProgram {
       const uint32_t index = components_[i].index;
       components_[i].plane[pixel] = renderer::interpolate(value0[index], value1[index], value2[index],
                                                           i < smooth_end_ ? weights.smooth : weights.noperspective);
+    }
+  }
+
+  // All bits of a row's pixels that have a fragment, none of the others.
+  using RowMask = std::array<uint32_t, renderer::kBlockSize>;
+
+  // The fragments of a row of a block. False, and nothing written, where their weights have to be constrained.
+  [[gnu::always_inline]] bool plain_row(const PrimitiveData& data, int32_t x, int32_t y, uint32_t row,
+                                        const renderer::PrimitiveInterpolation& interpolation) const {
+    const size_t pixel = static_cast<size_t>(y) * width_ + static_cast<size_t>(x);
+    const renderer::RowWeights weights(interpolation, x, y);
+    if (flat_end_ < component_count_ && !weights.are_plausible()) {
+      return false;
+    }
+    RowMask own;
+    for (uint32_t i = 0; i < own.size(); ++i) {
+      own[i] = 0U - (row >> i & 1U);
+    }
+    for (size_t i = 0; i < own.size(); ++i) {
+      hits_[pixel + i] -= own[i];
+    }
+    write_row(owner_ + pixel, data.owner, own);
+    write_row(front_facing_ + pixel, data.front_facing, own);
+    for (uint32_t i = 0; i < flat_end_; ++i) {
+      write_row(components_[i].plane + pixel, data.components[0][components_[i].index], own);
+    }
+    if (flat_end_ < smooth_end_) {
+      write_rows(data, flat_end_, smooth_end_, weights.smooth(), pixel, own);
+    }
+    if (smooth_end_ < component_count_) {
+      write_rows(data, smooth_end_, component_count_, weights.noperspective(), pixel, own);
+    }
+    return true;
+  }
+
+  template <typename T>
+  [[gnu::always_inline]] static void write_row(T* plane, T value, const RowMask& own) {
+    for (size_t i = 0; i < own.size(); ++i) {
+      plane[i] = own[i] != 0 ? value : plane[i];
+    }
+  }
+
+  template <typename T>
+  [[gnu::always_inline]] static void write_row(T* plane, const std::array<T, renderer::kBlockSize>& values,
+                                               const RowMask& own) {
+    for (size_t i = 0; i < own.size(); ++i) {
+      plane[i] = own[i] != 0 ? values[i] : plane[i];
+    }
+  }
+
+  // Components [first, end), all of these weights.
+  [[gnu::always_inline]] void write_rows(const PrimitiveData& data, uint32_t first, uint32_t end,
+                                         const renderer::RowOfWeights& weights, size_t pixel,
+                                         const RowMask& own) const {
+    const auto& [value0, value1, value2] = data.components;
+    for (uint32_t c = first; c < end; ++c) {
+      const uint32_t index = components_[c].index;
+      renderer::RowOfValues values;
+      if (!renderer::interpolate_row(value0[index], value1[index], value2[index], weights, values)) {
+        for (size_t i = 0; i < values.size(); ++i) {
+          values[i] = renderer::interpolate(value0[index], value1[index], value2[index],
+                                            {weights[0][i], weights[1][i], weights[2][i]});
+        }
+      }
+      write_row(components_[c].plane + pixel, values, own);
     }
   }
 

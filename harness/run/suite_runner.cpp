@@ -172,7 +172,7 @@ struct SuiteRunner::State {
     std::vector<RunTiming> timings(jobs);
     return timed([&](RunTiming& timing) {
       {
-        JobQueue queue(2 * kBatchSize);
+        JobQueue queue(8 * kBatchSize);
         const Workers workers(jobs, [&](uint32_t worker) {
           while (std::optional<Job> job = queue.pop()) {
             finish(cases[job->index], job->reference, results[job->index], timings[worker]);

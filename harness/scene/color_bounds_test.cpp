@@ -107,6 +107,27 @@ TEST(ColorBounds, HoldWhateverTheRangeAllows) {
   }
 }
 
+TEST(ColorBounds, OfPartOfARangeAreWithinThoseOfAllOfIt) {
+  Random random;
+  for (int round = 0; round < 3000; ++round) {
+    const programs::DrawShading shading = random_shading(random, round % 3 != 0);
+    const SurfaceRange all = random_range(random, std::exp2(random.between(-24, -3)));
+    SurfaceRange part = all;
+    const double share = random.between(0, 1);
+    part.position_error *= share;
+    part.normal_error *= share;
+    part.uv_error *= share;
+    for (glm::dvec2& error : part.uv_step_error) error *= share;
+    const ColorBounds wide = color_bounds(shading, all, {});
+    const ColorBounds narrow = color_bounds(shading, part, {});
+    constexpr double kRounding = 0x1p-40;  // of the bounds themselves, which leave 2^-18 for what the colours round
+    for (size_t c = 0; c < wide.size(); ++c) {
+      EXPECT_GE(narrow[c].low, wide[c].low - kRounding) << round;
+      EXPECT_LE(narrow[c].high, wide[c].high + kRounding) << round;
+    }
+  }
+}
+
 TEST(ColorBounds, AreNarrowWhereTheRangeIs) {
   Random random;
   double sum = 0;

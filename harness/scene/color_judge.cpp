@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -30,18 +30,32 @@ class AllowedColors {
     ColorBounds bounds{};
   };
   Answer of(size_t sample, double x, double y, uint32_t owner, const std::array<float, 3>& color) {
-    if (!asked_ || sample != sample_ || owner != owner_) work_out(sample, x, y, owner);
-    for (const ColorBounds& bounds : bounds_) {
+    if (!asked_ || sample != sample_ || owner != owner_) {
+      asked_ = true;
+      sample_ = sample;
+      owner_ = owner;
+      for (Bounds& bounds : bounds_) bounds.known = false;
+    }
+    // Nearly all colours are within the narrow bounds, and hence within the others.
+    for (const ColorBounds& bounds : bounds_at(Latitude::kLeast, x, y).bounds) {
       if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
     }
-    if (is_open_ || bounds_.empty()) return {};
-    return {.judged = true, .bounds = bounds_.front()};
+    const Bounds& all = bounds_at(Latitude::kAll, x, y);
+    for (const ColorBounds& bounds : all.bounds) {
+      if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
+    }
+    if (all.is_open || all.bounds.empty()) return {};
+    return {.judged = true, .bounds = all.bounds.front()};
   }
 
  private:
-  struct Value {
-    double value = 0;
-    double error = 0;
+  // What the varyings' tolerances are taken as: a lower bound of them, which is cheap, or all of them.
+  enum class Latitude : uint8_t { kLeast, kAll };
+  // Of the sample and owner asked for last: those of all pieces, up to the first of which nothing can be said.
+  struct Bounds {
+    bool known = false;
+    bool is_open = false;
+    std::vector<ColorBounds> bounds;
   };
 
   static bool is_inside(const std::array<float, 3>& color, const ColorBounds& bounds) {
@@ -53,25 +67,28 @@ class AllowedColors {
     return inside;
   }
 
-  // The bounds of all pieces of this owner, up to the first of which nothing can be said.
-  void work_out(size_t sample, double x, double y, uint32_t owner) {
-    asked_ = true;
-    sample_ = sample;
-    owner_ = owner;
-    is_open_ = false;
-    bounds_.clear();
-    expectation_.collect(sample, entries_);
+  const Bounds& bounds_at(Latitude latitude, double x, double y) {
+    Bounds& bounds = bounds_[static_cast<size_t>(latitude)];
+    if (!bounds.known) work_out(latitude, x, y, bounds);
+    return bounds;
+  }
+
+  void work_out(Latitude latitude, double x, double y, Bounds& result) {
+    result.known = true;
+    result.is_open = false;
+    result.bounds.clear();
+    expectation_.collect(sample_, entries_);
     for (const exact::Entry& entry : entries_) {
       const exact::Piece& piece = expectation_.pieces()[entry.piece];
-      if (piece.owner != owner) continue;
+      if (piece.owner != owner_) continue;
       // The values of such pieces are undefined ground.
       const bool is_defined = !piece.shape->undefined() && !piece.thin;
-      const auto range = is_defined ? range_of(entry.piece, piece, x, y) : std::nullopt;
+      const auto range = is_defined ? range_of(latitude, entry.piece, piece, x, y) : std::nullopt;
       if (!range) {
-        is_open_ = true;
+        result.is_open = true;
         return;
       }
-      bounds_.push_back(color_bounds(shading_[piece.draw], *range, {}));
+      result.bounds.push_back(color_bounds(shading_[piece.draw], *range, {}));
     }
   }
 
@@ -81,54 +98,65 @@ class AllowedColors {
     return *values;
   }
 
-  static Value value_at(const exact::PieceValues& values, uint32_t component, double x, double y) {
-    // NaN is within no tolerance, so that all of it is worked out.
-    const exact::Expected expected = values.varying_for(component, std::numeric_limits<float>::quiet_NaN(), x, y);
-    return {.value = expected.value, .error = expected.tolerance};
+  using Components = std::array<exact::Expected, programs::kSceneComponents>;
+
+  static Components components_at(Latitude latitude, const exact::PieceValues& values, double x, double y) {
+    Components components;
+    if (latitude == Latitude::kLeast) {
+      values.least_varyings(x, y, components);
+    } else {
+      values.varyings(x, y, components);
+    }
+    return components;
   }
 
-  std::optional<SurfaceRange> range_of(uint32_t number, const exact::Piece& piece, double x, double y) {
+  std::optional<SurfaceRange> range_of(Latitude latitude, uint32_t number, const exact::Piece& piece, double x,
+                                       double y) {
     const exact::PieceValues& exact_values = values(number, piece);
+    const Components here = components_at(latitude, exact_values, x, y);
     SurfaceRange range;
     double worst = 0;
-    const auto read = [&](uint32_t component, double at_x, double at_y, double& value, double& error) {
-      const Value one = value_at(exact_values, component, at_x, at_y);
-      value = one.value;
-      error = one.error;
-      worst = std::max(worst, one.error);
+    const auto read = [&](const Components& components, uint32_t component, double& value, double& error) {
+      value = components[component].value;
+      error = components[component].tolerance;
+      worst = std::max(worst, error);
     };
     for (uint32_t c = 0; c < 3; ++c) {
       const auto i = static_cast<glm::length_t>(c);
-      read(programs::kPositionComponent + c, x, y, range.position_world[i], range.position_error[i]);
-      read(programs::kNormalComponent + c, x, y, range.normal_world[i], range.normal_error[i]);
+      read(here, programs::kPositionComponent + c, range.position_world[i], range.position_error[i]);
+      read(here, programs::kNormalComponent + c, range.normal_world[i], range.normal_error[i]);
       range.position_error[i] += error_.position_world;
       range.normal_error[i] += error_.normal_world;
     }
-    const programs::DrawShading& shading = shading_[piece.draw];
     for (uint32_t c = 0; c < 2; ++c) {
       const auto i = static_cast<glm::length_t>(c);
-      read(programs::kUvComponent + c, x, y, range.uv[i], range.uv_error[i]);
+      read(here, programs::kUvComponent + c, range.uv[i], range.uv_error[i]);
     }
-    if (shading.uniforms.mipmapped != 0) read_steps(read, x, y, range);
+    if (shading_[piece.draw].uniforms.mipmapped != 0) {
+      for (uint32_t axis = 0; axis < 2; ++axis) {
+        read_step(
+            axis, [&](double at_x, double at_y) { return components_at(latitude, exact_values, at_x, at_y); }, read,
+            x, y, range);
+      }
+    }
     if (!std::isfinite(worst)) return std::nullopt;
     return range;
   }
 
-  // The differences in the quad of pixels that begins at even coordinates.
-  template <typename Read>
-  static void read_steps(const Read& read, double x, double y, SurfaceRange& range) {
-    for (uint32_t axis = 0; axis < 2; ++axis) {
-      const double along = axis == 0 ? x : y;
-      const bool is_first = std::fmod(std::floor(along), 2) == 0;
-      const double to_other = is_first ? 1 : -1;
-      for (uint32_t c = 0; c < 2; ++c) {
-        const auto i = static_cast<glm::length_t>(c);
-        double value = 0;
-        double error = 0;
-        read(programs::kUvComponent + c, axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other, value, error);
-        range.uv_step[axis][i] = (value - range.uv[i]) * to_other;
-        range.uv_step_error[axis][i] = error + range.uv_error[i];
-      }
+  // The difference along one axis in the quad of pixels that begins at even coordinates.
+  template <typename ComponentsAt, typename Read>
+  static void read_step(uint32_t axis, const ComponentsAt& components_at, const Read& read, double x, double y,
+                        SurfaceRange& range) {
+    const bool is_first = std::fmod(std::floor(axis == 0 ? x : y), 2) == 0;
+    const double to_other = is_first ? 1 : -1;
+    const Components there = components_at(axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other);
+    for (uint32_t c = 0; c < 2; ++c) {
+      const auto i = static_cast<glm::length_t>(c);
+      double value = 0;
+      double error = 0;
+      read(there, programs::kUvComponent + c, value, error);
+      range.uv_step[axis][i] = (value - range.uv[i]) * to_other;
+      range.uv_step_error[axis][i] = error + range.uv_error[i];
     }
   }
 
@@ -142,8 +170,7 @@ class AllowedColors {
   bool asked_ = false;
   size_t sample_ = 0;
   uint32_t owner_ = 0;
-  std::vector<ColorBounds> bounds_;
-  bool is_open_ = false;
+  std::array<Bounds, 2> bounds_;  // by Latitude
 };
 
 std::array<float, 3> color_at(const Planes& planes, size_t index) {

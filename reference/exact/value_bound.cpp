@@ -22,6 +22,17 @@ double Tolerance::total() const {
   return sum;
 }
 
+void PieceValues::varyings(double x, double y, std::span<Expected> components) const {
+  for (uint32_t c = 0; c < components.size(); ++c) {
+    // NaN is within no tolerance, so that all of it is worked out.
+    components[c] = varying_for(c, std::numeric_limits<float>::quiet_NaN(), x, y);
+  }
+}
+
+void PieceValues::least_varyings(double x, double y, std::span<Expected> components) const {
+  varyings(x, y, components);
+}
+
 TriangleValues::TriangleValues(const Triangle& triangle, const Latitude& latitude)
     : triangle_(&triangle), latitude_(latitude) {
   const auto& clip = triangle.vertices();
@@ -191,6 +202,23 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
   const double least = least_smooth(component, exact) / reciprocal;
   if (std::abs(double{value} - exact) <= least) return {.value = exact, .tolerance = least};
   return {.value = exact, .tolerance = smooth_tolerance(component, exact, dx, dy).total()};
+}
+
+void TriangleValues::least_varyings(double x, double y, std::span<Expected> components) const {
+  const double dx = x - triangle_->centre_x();
+  const double dy = y - triangle_->centre_y();
+  const double w = 1 / reciprocal_w_.at(dx, dy);
+  for (size_t c = 0; c < components.size(); ++c) {
+    const Component& component = components_[c];
+    if (component.interpolation == Interpolation::kFlat || !component.judged) {
+      components[c] = varying(component, x, y);
+    } else if (component.interpolation == Interpolation::kNoperspective) {
+      components[c] = {.value = component.numerator.at(dx, dy), .tolerance = least_linear(component.numerator)};
+    } else {
+      const double value = component.numerator.at(dx, dy) * w;
+      components[c] = {.value = value, .tolerance = least_smooth(component, value) * w};
+    }
+  }
 }
 
 Tolerance TriangleValues::depth_tolerance(double x, double y) const {

@@ -62,6 +62,7 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] Expected varying_for(uint32_t component, float value, double x, double y) const override {
     return varying_for(components_[component], value, x, y);
   }
+  void least_varyings(double x, double y, std::span<Expected> components) const override;
   [[nodiscard]] Tolerance varying_tolerance(uint32_t component, double x, double y) const override {
     return varying_tolerance(components_[component], x, y);
   }

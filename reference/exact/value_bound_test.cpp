@@ -99,10 +99,12 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
     const Triangle triangle(picked.vertices, picked.viewport);
     if (triangle.undefined() || triangle.orientation() == 0) continue;
     const Latitude latitude = latitude_of(picked.viewport, 8);
-    const TriangleValues values(triangle, latitude);
+    TriangleValues values(triangle, latitude);
     const std::array<float, 3> q{-1, 3, 0.5F};
     const auto smooth = values.component(Interpolation::kSmooth, q, 0);
     const auto linear = values.component(Interpolation::kNoperspective, q, 0);
+    values.add_component(smooth);
+    values.add_component(linear);
     for (int sample = 0; sample < 20; ++sample) {
       const double x = static_cast<double>(random() % 64) + 0.5;
       const double y = static_cast<double>(random() % 64) + 0.5;
@@ -117,6 +119,14 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
       expect_accurate(values.varying(linear, x, y), exact_noperspective(triangle, q, x, y), "noperspective");
       EXPECT_LE(least_in_row(values, smooth, x, y), values.varying(smooth, x, y).tolerance) << i;
       EXPECT_LE(least_in_row(values, linear, x, y), values.varying(linear, x, y).tolerance) << i;
+      std::array<Expected, 2> all;
+      std::array<Expected, 2> least;
+      values.varyings(x, y, all);
+      values.least_varyings(x, y, least);
+      for (size_t c = 0; c < all.size(); ++c) {
+        EXPECT_LE(least[c].tolerance, all[c].tolerance) << i;
+        EXPECT_LE(std::abs(least[c].value - all[c].value), 0x1p-50 * std::abs(all[c].value)) << i;
+      }
     }
   }
   EXPECT_GT(compared, 1000);
