@@ -26,16 +26,33 @@ struct ReferenceDrawing {
 struct Job {
   size_t index = 0;
   ReferenceDrawing reference;
+
+  // Of the pictures.
+  [[nodiscard]] size_t bytes() const {
+    size_t sum = 0;
+    if (reference.planes) sum += bytes_of(*reference.planes);
+    if (reference.colors && *reference.colors) sum += bytes_of(**reference.colors);
+    return sum;
+  }
+
+ private:
+  static size_t bytes_of(const Planes& planes) {
+    constexpr size_t kPlanesOfAll = 4;
+    return planes.hits.size() * sizeof(float) * (kPlanesOfAll + planes.varyings.size());
+  }
 };
 
-// Jobs from one thread to many, at most `capacity` waiting, so that pictures do not pile up.
+// Jobs from one thread to many. It waits where pictures of more than `capacity_bytes` would pile up, unless there is
+// but one.
 class JobQueue {
  public:
-  explicit JobQueue(size_t capacity) : capacity_(capacity) {}
+  explicit JobQueue(size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
 
   void push(Job job) {
+    const size_t bytes = job.bytes();
     std::unique_lock lock(mutex_);
-    space_.wait(lock, [this] { return jobs_.size() < capacity_; });
+    space_.wait(lock, [this, bytes] { return jobs_.empty() || waiting_bytes_ + bytes <= capacity_bytes_; });
+    waiting_bytes_ += bytes;
     jobs_.push_back(std::move(job));
     ready_.notify_one();
   }
@@ -53,12 +70,14 @@ class JobQueue {
     if (jobs_.empty()) return std::nullopt;
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
+    waiting_bytes_ -= job.bytes();
     space_.notify_one();
     return job;
   }
 
  private:
-  size_t capacity_;
+  size_t capacity_bytes_;
+  size_t waiting_bytes_ = 0;
   std::mutex mutex_;
   std::condition_variable ready_;
   std::condition_variable space_;

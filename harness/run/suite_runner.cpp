@@ -22,6 +22,8 @@ RunTiming median(std::array<RunTiming, 3> timings) {
 // So many cases are handed to the reference at once: enough to share a submission, few enough that judging starts
 // soon.
 constexpr size_t kBatchSize = 32;
+// The reference draws ahead by pictures of so many bytes: the further, the less threads take turns on one processor.
+constexpr size_t kWaitingBytes = size_t{256} << 20U;
 
 }  // namespace
 
@@ -172,7 +174,7 @@ struct SuiteRunner::State {
     std::vector<RunTiming> timings(jobs);
     return timed([&](RunTiming& timing) {
       {
-        JobQueue queue(8 * kBatchSize);
+        JobQueue queue(kWaitingBytes);
         const Workers workers(jobs, [&](uint32_t worker) {
           while (std::optional<Job> job = queue.pop()) {
             finish(cases[job->index], job->reference, results[job->index], timings[worker]);
