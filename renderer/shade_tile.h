@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <span>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -105,7 +106,8 @@ struct Shader {
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
       const auto xs = L::to_double(L::numbers() + (block.x + column - interpolation.anchor_x));
       const auto depth_column = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
-      const auto test_row = [&]<int32_t kRow>() __attribute__((always_inline)) {
+      const auto test_row = [&](auto row) __attribute__((always_inline)) {
+        constexpr int32_t kRow = decltype(row)::value;
         const double depth_row = depth.step_y * (block.y + kRow - interpolation.anchor_y);
         const typename L::Mask mask = kIsFull ? L::mask_of(kAllLanes) : row_mask<kRow>(block.mask, column);
         landed |= uint64_t{test_depths<kIsUsual>(depth_column + L::all(depth_row), mask,
@@ -114,16 +116,16 @@ struct Shader {
       };
       // Of half a block a row more costs less than to guess wrong which of them are empty.
       if (kIsFull || static_cast<uint32_t>(block.mask) != 0) {
-        test_row.template operator()<0>();
-        test_row.template operator()<1>();
-        test_row.template operator()<2>();
-        test_row.template operator()<3>();
+        test_row(std::integral_constant<int32_t, 0>());
+        test_row(std::integral_constant<int32_t, 1>());
+        test_row(std::integral_constant<int32_t, 2>());
+        test_row(std::integral_constant<int32_t, 3>());
       }
       if (kIsFull || block.mask >> 32U != 0) {
-        test_row.template operator()<4>();
-        test_row.template operator()<5>();
-        test_row.template operator()<6>();
-        test_row.template operator()<7>();
+        test_row(std::integral_constant<int32_t, 4>());
+        test_row(std::integral_constant<int32_t, 5>());
+        test_row(std::integral_constant<int32_t, 6>());
+        test_row(std::integral_constant<int32_t, 7>());
       }
     }
     return landed;

@@ -1,10 +1,10 @@
 #include "harness/bench/measure.h"
 
 #include <fmt/format.h>
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
+#include <ctime>
 #include <thread>
 
 namespace fillrule::bench {

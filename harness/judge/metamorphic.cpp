@@ -27,6 +27,28 @@ CheckResult failed(std::string_view name, std::string message) {
   return {.name = std::string(name), .outcome = Outcome::kFailed, .message = std::move(message)};
 }
 
+// What a difference means, for somebody who has not read what the check does.
+struct Meaning {
+  std::string_view check;
+  std::string_view text;
+};
+constexpr std::array<Meaning, kChecks.size()> kMeanings{{
+    {"second_run", "in a second drawing of the same case"},
+    {"any_number_of_threads", "though nothing else was changed"},
+    {"rotated_vertices",
+     "where each triangle begins with its next vertex: coverage or facing depends on where one begins"},
+    {"flipped_winding",
+     "where winding and front face are both turned over: facing or culling does not go by the two together"},
+    {"scaled_clip_space", "where x, y, z and w are all 64 times as large, which is the same geometry"},
+    {"partition", "of what a clip distance and its negative leave: they cut the whole, and something more or less"},
+    {"scissor_crop", "under a smaller scissor: it cuts at other borders than it has, or changes what is inside"},
+}};
+
+CheckResult differs(std::string_view name, const std::string& difference) {
+  const auto* const meaning = std::ranges::find(kMeanings, name, &Meaning::check);
+  return failed(name, meaning == kMeanings.end() ? difference : fmt::format("{}, {}", difference, meaning->text));
+}
+
 CheckResult does_not_fit(std::string_view name, std::string reason) {
   return {.name = std::string(name), .outcome = Outcome::kDoesNotFit, .message = std::move(reason)};
 }
@@ -137,8 +159,8 @@ class Checker {
   CheckResult compare(std::string_view name, const Case& variant, uint32_t threads, const Compare& difference_to) {
     const Result<Planes> planes = party_.draw(variant, threads);
     if (!planes) return failed(name, to_string(planes.error()));
-    std::string difference = difference_to(*planes);
-    return difference.empty() ? passed(name) : failed(name, std::move(difference));
+    const std::string difference = difference_to(*planes);
+    return difference.empty() ? passed(name) : differs(name, difference);
   }
 
   CheckResult second_run(std::string_view name) {

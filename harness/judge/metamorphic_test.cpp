@@ -80,7 +80,8 @@ TEST(Metamorphic, ASecondRunThatDiffersIsFound) {
     return planes;
   });
   expect_failed(results, "second_run");
-  EXPECT_EQ(results.at("second_run").message, "varying component 0 differs at (8, 6)");
+  EXPECT_EQ(results.at("second_run").message,
+            "varying component 0 differs at (8, 6), in a second drawing of the same case");
 }
 
 TEST(Metamorphic, AnOrderLostBetweenThreadsIsFound) {

@@ -112,8 +112,8 @@ class VaryingsProgram {
   using RowMask = std::array<uint32_t, renderer::kBlockSize>;
 
   // The fragments of a row of a block. False, and nothing written, where their weights have to be constrained.
-  [[gnu::always_inline]] bool plain_row(const PrimitiveData& data, int32_t x, int32_t y, uint32_t row,
-                                        const renderer::PrimitiveInterpolation& interpolation) const {
+  [[nodiscard, gnu::always_inline]] bool plain_row(const PrimitiveData& data, int32_t x, int32_t y, uint32_t row,
+                                                   const renderer::PrimitiveInterpolation& interpolation) const {
     const size_t pixel = static_cast<size_t>(y) * width_ + static_cast<size_t>(x);
     const renderer::RowWeights weights(interpolation, x, y);
     if (flat_end_ < component_count_ && !weights.are_plausible()) {

@@ -201,6 +201,9 @@ class Pattern {
         })) {
       return "all that were looked into lie outside of the scissor";
     }
+    if (all([this](const Seen& seen) { return fails_depth_test(seen); })) {
+      return "the primitives that cover them fail the depth test or the depth bounds";
+    }
     if (!all([](const Seen& seen) { return seen.boundary != nullptr; })) return "";
     constexpr std::array<std::pair<Boundary::Kind, std::string_view>, 5> kPlanes{
         {{Boundary::Kind::kNear, "the near plane"},
@@ -218,10 +221,24 @@ class Pattern {
     if (all_on_edges()) return std::string(kOnEdges);
     const double furthest = std::ranges::max_element(seen_, {}, &Seen::distance)->distance;
     if (furthest > 1) return "";
-    return fmt::format(
-        "all that were looked into lie within {:.2g} pixels of an edge, which points to snapping, the "
-        "place of the samples or the fill rule",
-        furthest);
+    return fmt::format("all that were looked into lie within {:.2g} pixels of an edge, which points to {}", furthest,
+                       what_moves_edges());
+  }
+
+  // Something else must be why it is not to be seen, and nothing but depth is left.
+  [[nodiscard]] bool fails_depth_test(const Seen& seen) const {
+    if (seen.fault != SampleClass::kExtra || seen.primitive == nullptr) return false;
+    const RasterState& state = case_.draws[seen.primitive->draw].state;
+    return seen.primitive->answer == exact::Coverage::kMust && (state.depth_test || state.depth_bounds);
+  }
+
+  [[nodiscard]] std::string_view what_moves_edges() const {
+    const auto all_are = [this](exact::Piece::Kind kind) {
+      return all([kind](const Seen& seen) { return seen.primitive->kind == kind; });
+    };
+    if (all_are(exact::Piece::Kind::kPoint)) return "the size of the points, or the place of the samples";
+    if (all_are(exact::Piece::Kind::kLine)) return "the width or the ends of the lines, or the place of the samples";
+    return "snapping, the place of the samples or the fill rule";
   }
 
   const Case& case_;

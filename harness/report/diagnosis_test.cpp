@@ -15,6 +15,7 @@ namespace {
 
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::Not;
 
 template <typename Spoil>
 Diagnosis diagnosis_of(const Case& test_case, const Spoil& spoil) {
@@ -62,6 +63,73 @@ TEST(Diagnosis, ValuesThatAreNoNumbers) {
     std::ranges::fill(planes.varyings[1], std::numeric_limits<float>::quiet_NaN());
   });
   EXPECT_THAT(diagnosis.sentence, HasSubstr("uv.y is not a finite number there"));
+}
+
+// The case with another state drawn instead.
+template <typename Change>
+Diagnosis diagnosis_of_other(const Case& test_case, const Change& change) {
+  Case other = test_case;
+  change(other);
+  return diagnosis_of(test_case, [&](Planes& planes) { planes = drawing_of(other, [](Planes&) {}).candidate; });
+}
+
+Case biased_case() {
+  Case biased = small_case();
+  biased.draws[0].state.depth_bias = DepthBias{.constant_factor = 0x1p17F, .slope_factor = 2};
+  return biased;
+}
+
+TEST(Diagnosis, ADepthBiasThatIsMissing) {
+  const Diagnosis diagnosis =
+      diagnosis_of_other(biased_case(), [](Case& other) { other.draws[0].state.depth_bias.reset(); });
+  EXPECT_EQ(diagnosis.main, SampleClass::kDepth);
+  EXPECT_THAT(diagnosis.sentence, HasSubstr("depth is what is right before the depth bias is added"));
+}
+
+TEST(Diagnosis, ADepthBiasWithoutItsSlope) {
+  const Diagnosis diagnosis =
+      diagnosis_of_other(biased_case(), [](Case& other) { other.draws[0].state.depth_bias->slope_factor = 0; });
+  EXPECT_THAT(diagnosis.sentence, HasSubstr("points to the depth bias"));
+}
+
+TEST(Diagnosis, ADepthBiasThatIsSubtracted) {
+  const Diagnosis diagnosis = diagnosis_of_other(biased_case(), [](Case& other) {
+    DepthBias& bias = *other.draws[0].state.depth_bias;
+    bias.constant_factor = -bias.constant_factor;
+    bias.slope_factor = -bias.slope_factor;
+  });
+  EXPECT_THAT(diagnosis.sentence, HasSubstr("with the depth bias subtracted"));
+}
+
+TEST(Diagnosis, ADepthThatIsOffUnderABiasIsNotCalledPerspective) {
+  const Diagnosis diagnosis = diagnosis_of(biased_case(), [](Planes& planes) {
+    for (size_t i = 0; i < planes.depth.size(); ++i) {
+      if (planes.hits[i] != 0) planes.depth[i] += 0.125F;
+    }
+  });
+  EXPECT_THAT(diagnosis.sentence, Not(HasSubstr("perspective correction")));
+  EXPECT_THAT(diagnosis.sentence, HasSubstr("off by the same amount"));
+}
+
+TEST(Diagnosis, ADepthTestThatLetsThroughWhatMustFail) {
+  Case behind = small_case();
+  behind.target.clear_depth = 0.25F;
+  behind.draws[0].state.depth_compare = VK_COMPARE_OP_LESS;
+  const Diagnosis diagnosis =
+      diagnosis_of_other(behind, [](Case& other) { other.draws[0].state.depth_compare = VK_COMPARE_OP_GREATER; });
+  EXPECT_EQ(diagnosis.main, SampleClass::kExtra);
+  EXPECT_THAT(diagnosis.sentence, HasSubstr("fail the depth test"));
+}
+
+TEST(Diagnosis, APointOfAnotherSize) {
+  Case point = small_case();
+  point.varyings.clear();
+  point.draws[0].topology = VK_PRIMITIVE_TOPOLOGY_POINT_LIST;
+  point.draws[0].positions = {{0, 0, 0.5F, 1}};
+  point.draws[0].varyings.clear();
+  point.draws[0].point_sizes = {2};
+  const Diagnosis diagnosis = diagnosis_of_other(point, [](Case& other) { other.draws[0].point_sizes = {4}; });
+  EXPECT_THAT(diagnosis.sentence, HasSubstr("the size of the points"));
 }
 
 TEST(Diagnosis, TheReferenceIsToldOfOnlyIfTheCandidateIsRight) {

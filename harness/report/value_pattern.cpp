@@ -6,7 +6,10 @@
 #include <array>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <vector>
+
+#include "reference/exact/depth_format.h"
 
 namespace fillrule::report {
 namespace {
@@ -20,7 +23,9 @@ struct Place {
   Triple perspective{};  // weights of the vertices in space
   Triple window{};       // ... and in the picture
   double value = 0;      // the party's
+  double expected = 0;   // the right one; of several the middle
   double tolerance = 0;  // of the right value: how far snapping and rounding may move it
+  double spread = 0;     // ... and what is left open of it
 };
 
 double dot(const Triple& a, const Triple& b) {
@@ -45,7 +50,12 @@ std::optional<Place> place_of(const Case& test_case, const std::string& name, co
   Place place{.draw = &test_case.draws[primitive->draw],
               .vertices = {primitive->vertices[0], primitive->vertices[1], primitive->vertices[2]},
               .value = double{value->value}};
-  place.tolerance = std::isfinite(value->standing.tolerance) ? value->standing.tolerance : 0;
+  place.expected = value->standing.expected;
+  // What is left open, as by a bias, is no inaccuracy; what is stored is rounded to the format.
+  const double inaccuracy = value->standing.tolerance - value->standing.spread;
+  const double step = name == "depth" ? 2 * exact::half_step(test_case.target.depth_format) : 0;
+  place.spread = value->standing.spread;
+  place.tolerance = (std::isfinite(inaccuracy) ? inaccuracy : 0) + step;
   Triple edge_values{};
   for (size_t i = 0; i < 3; ++i) edge_values[i] = primitive->boundaries[i].value;
   place.perspective = normalised(edge_values);
@@ -78,31 +88,74 @@ using Formula = std::function<double(const Place&)>;
 struct Alternative {
   std::string text;
   Formula formula;
+  double spreads = 0;  // by how many times what is left open of the right value the formula may be off
 };
 
 bool explains(const Alternative& alternative, std::span<const Place> places) {
   return std::ranges::all_of(places, [&](const Place& place) {
     const double expected = alternative.formula(place);
     // Another value is moved by snapping about as far as the right one.
-    return std::abs(expected - place.value) <= 4 * place.tolerance + 1e-5 * std::abs(expected);
+    const double slack = 4 * place.tolerance + alternative.spreads * place.spread;
+    return std::abs(expected - place.value) <= slack + 1e-5 * std::abs(expected);
   });
 }
 
+// Of the vertices, in clip space or divided by w.
+Triple z_of(const Place& place, bool divided) {
+  Triple values{};
+  for (size_t i = 0; i < 3; ++i) {
+    const ClipPosition& p = place.draw->positions[place.vertices[i]];
+    values[i] = divided ? double{p[2]} / double{p[3]} : double{p[2]};
+  }
+  return values;
+}
+
+// A depth in the view volume as one in the window, "Controlling the Viewport".
+double window_depth(const Place& place, double depth) {
+  const RasterState& state = place.draw->state;
+  const double min{state.viewport.minDepth};
+  const double range = double{state.viewport.maxDepth} - min;
+  return min + range * (state.negative_one_to_one ? (depth + 1) / 2 : depth);
+}
+
+// The right depth without the bias, and the bias.
+double unbiased(const Place& place) {
+  return window_depth(place, dot(place.window, z_of(place, true)));
+}
+double bias_of(const Place& place) {
+  return place.draw->state.depth_bias ? place.expected - unbiased(place) : 0;
+}
+
 std::vector<Alternative> depth_alternatives() {
-  const auto z = [](const Place& place, bool divided) {
-    Triple values{};
-    for (size_t i = 0; i < 3; ++i) {
-      const ClipPosition& p = place.draw->positions[place.vertices[i]];
-      values[i] = divided ? double{p[2]} / double{p[3]} : double{p[2]};
-    }
-    return values;
-  };
   return {{"interpolated with perspective correction, which depth never is",
-           [z](const Place& place) { return dot(place.perspective, z(place, true)); }},
+           [](const Place& place) {
+             return window_depth(place, dot(place.perspective, z_of(place, true))) + bias_of(place);
+           }},
           {"the clip-space z, without the division by w",
-           [z](const Place& place) { return dot(place.perspective, z(place, false)); }},
-          {"upside down: one minus what is right",
-           [z](const Place& place) { return 1 - dot(place.window, z(place, true)); }}};
+           [](const Place& place) {
+             return window_depth(place, dot(place.perspective, z_of(place, false))) + bias_of(place);
+           }},
+          {"upside down: one minus what is right", [](const Place& place) { return 1 - place.expected; }}};
+}
+
+std::vector<Alternative> biased_depth_alternatives() {
+  return {{"what is right before the depth bias is added", unbiased},
+          {"what is right with the depth bias subtracted",
+           [](const Place& place) { return unbiased(place) - bias_of(place); }, 2},
+          {"what is right with twice the depth bias",
+           [](const Place& place) { return unbiased(place) + 2 * bias_of(place); }, 3}};
+}
+
+bool all_biased(std::span<const Place> places) {
+  return std::ranges::all_of(places, [](const Place& place) { return place.draw->state.depth_bias.has_value(); });
+}
+
+// A bias is one number for all of a polygon.
+bool off_by_one_amount(std::span<const Place> places) {
+  const double amount = places.front().value - places.front().expected;
+  return std::ranges::all_of(places, [amount](const Place& place) {
+    return std::abs(place.value - place.expected - amount) <= 2 * place.tolerance + 1e-6;
+  });
 }
 
 Triple at_vertices(const Case& test_case, const Place& place, uint32_t offset) {
@@ -159,10 +212,15 @@ std::optional<std::string> pattern_of(const Case& test_case, const std::string& 
     if (const std::optional<Place> place = place_of(test_case, name, one)) places.push_back(*place);
   }
   if (places.size() < 2 || places.size() < seen.size()) return std::nullopt;
-  const std::vector<Alternative> alternatives =
+  const bool is_biased = name == "depth" && all_biased(places);
+  std::vector<Alternative> alternatives =
       name == "depth" ? depth_alternatives() : varying_alternatives(test_case, name);
+  if (is_biased) std::ranges::move(biased_depth_alternatives(), std::back_inserter(alternatives));
   for (const Alternative& alternative : alternatives) {
     if (explains(alternative, places)) return alternative.text;
+  }
+  if (is_biased && off_by_one_amount(places)) {
+    return "off by the same amount at all that were looked into, which points to the depth bias";
   }
   return std::nullopt;
 }
