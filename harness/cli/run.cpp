@@ -88,8 +88,8 @@ bool write_report(const RunCommandOptions& options, run::SuiteRunner& runner, co
   const std::string& folder = options.output.report_folder;
   if (folder.empty()) return write_output(options.output, result, deviations);
   const std::string faults = options.faults_file.empty() ? folder + "/faults.json" : options.faults_file;
-  const report::FailureFiles files =
-      report::write_failures(folder, faults, runner, options.parties.run.profile, cases, result, deviations);
+  const report::FailureFiles files = report::write_failures(folder, faults, runner, options.parties.run.profile,
+                                                            cases, result, deviations, options.parties.run.jobs);
   for (const Error& error : files.errors) print_error(error);
   if (files.cases > 0) fmt::print("pictures of {} in {}\n", run::counted(files.cases, "case"), folder);
   const bool written = write_output(options.output, result, deviations) && files.errors.empty();

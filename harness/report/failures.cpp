@@ -1,13 +1,16 @@
 #include "harness/report/failures.h"
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <span>
 
 #include "harness/report/html_report.h"
 #include "harness/report/json.h"
 #include "harness/report/pictures.h"
+#include "harness/run/job_queue.h"
 
 namespace fillrule::report {
 namespace {
@@ -36,11 +39,41 @@ std::optional<std::string> read_if_there(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(file), {});
 }
 
+// A case at fault on its way into the report.
+struct Failure {
+  size_t index = 0;
+  Result<run::Drawing> drawing;
+  Result<void> pictures;
+  std::optional<HtmlCase> page;  // if there is room
+};
+
+// Drawn by one thread, as a device is for one, and then encoded by several.
+std::vector<Failure> encoded(std::span<const size_t> chosen, const std::string& folder, run::SuiteRunner& runner,
+                             const Parties& parties, const std::vector<Case>& cases, const run::RunResult& result,
+                             uint32_t jobs, bool has_room) {
+  std::vector<Failure> failures;
+  for (const size_t index : chosen) failures.push_back({.index = index, .drawing = runner.draw(cases[index])});
+  std::atomic<size_t> next = 0;
+  const auto encode = [&](uint32_t /*worker*/) {
+    for (size_t i = next++; i < failures.size(); i = next++) {
+      Failure& one = failures[i];
+      if (!one.drawing) continue;
+      one.pictures = write_pictures(folder, cases[one.index], *one.drawing).map([](const auto&) {});
+      if (has_room) one.page = html_case(cases[one.index], result.cases[one.index], *one.drawing, parties);
+    }
+  };
+  { const run::Workers workers(std::min(jobs, static_cast<uint32_t>(failures.size())), encode); }
+  return failures;
+}
+
+// Few enough that what has no room at last costs little.
+constexpr size_t kAtOnceOfEachJob = 8;
+
 }  // namespace
 
 FailureFiles write_failures(const std::string& folder, const std::string& faults_file, run::SuiteRunner& runner,
                             const judge::Profile& profile, const std::vector<Case>& cases,
-                            const run::RunResult& result, const run::DeviationReport& deviations) {
+                            const run::RunResult& result, const run::DeviationReport& deviations, uint32_t jobs) {
   const Parties parties{.candidate = result.candidate,
                         .candidate_subpixel_bits = result.candidate_subpixel_bits,
                         .reference = result.reference.driver,
@@ -48,20 +81,22 @@ FailureFiles write_failures(const std::string& folder, const std::string& faults
                         .profile = profile};
   FailureFiles files;
   HtmlReport html;
-  for (const size_t index : cases_at_fault(result)) {
-    const Case& one = cases[index];
-    const Result<run::Drawing> drawing = runner.draw(one);
-    if (!drawing) {
-      files.errors.push_back(drawing.error());
-      continue;
-    }
-    const auto paths = write_pictures(folder, one, *drawing);
-    if (!paths) files.errors.push_back(paths.error());
-    files.cases += paths ? 1 : 0;
-    if (html.has_room()) {
-      html.add(index, html_case(one, result.cases[index], *drawing, parties));
-    } else {
-      html.add_statistics(index);
+  const std::vector<size_t> chosen = cases_at_fault(result);
+  const size_t at_once = kAtOnceOfEachJob * std::max(jobs, 1U);
+  for (size_t begin = 0; begin < chosen.size(); begin += at_once) {
+    const auto some = std::span(chosen).subspan(begin, std::min(at_once, chosen.size() - begin));
+    for (Failure& one : encoded(some, folder, runner, parties, cases, result, std::max(jobs, 1U), html.has_room())) {
+      if (!one.drawing) {
+        files.errors.push_back(one.drawing.error());
+        continue;
+      }
+      if (!one.pictures) files.errors.push_back(one.pictures.error());
+      files.cases += one.pictures ? 1 : 0;
+      if (one.page && html.has_room()) {
+        html.add(one.index, std::move(*one.page));
+      } else {
+        html.add_statistics(one.index);
+      }
     }
   }
   const Result<void> written =

@@ -17,9 +17,9 @@ struct FailureFiles {
 };
 
 // `runner` is the one that gave `result` for `cases`; `faults_file`: faults.json of `fillrule faults`, shown where it
-// is there.
+// is there; `jobs`: cases encoded at the same time.
 FailureFiles write_failures(const std::string& folder, const std::string& faults_file, run::SuiteRunner& runner,
                             const judge::Profile& profile, const std::vector<Case>& cases,
-                            const run::RunResult& result, const run::DeviationReport& deviations);
+                            const run::RunResult& result, const run::DeviationReport& deviations, uint32_t jobs);
 
 }  // namespace fillrule::report

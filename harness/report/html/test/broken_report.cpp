@@ -108,7 +108,7 @@ int write_report(const std::string& folder, const std::string& fault, const std:
   const auto deviations = fillrule::run::compare_with_known(result.cases, {});
   std::filesystem::create_directories(folder);
   const auto files = fillrule::report::write_failures(folder, folder + "/faults.json", *runner, options.profile,
-                                                      suite.cases, result, deviations);
+                                                      suite.cases, result, deviations, options.jobs);
   for (const fillrule::Error& error : files.errors) return fail(error);
   const auto written =
       fillrule::report::write_text(folder + "/results.json", fillrule::report::to_json(result, deviations));
