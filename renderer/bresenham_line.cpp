@@ -23,7 +23,7 @@ struct Perturbed {
   friend Perturbed operator-(const Perturbed& a, const Perturbed& b) {
     return {a.value - b.value, a.first - b.first, a.second - b.second};
   }
-  auto operator<=>(const Perturbed&) const = default;
+  auto operator<=>(const Perturbed&) const = default;  // NOLINT(modernize-use-nullptr): mistakes the 0 within
 };
 
 Perturbed exactly(int64_t value) {

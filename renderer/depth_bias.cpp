@@ -12,7 +12,7 @@ namespace {
 // floating point 2^(e - 23), e the exponent of the greatest depth.
 double resolution(uint32_t max_code, double greatest_depth) {
   if (max_code != 0) {
-    return std::ldexp(2.0, -std::bit_width(max_code));
+    return std::ldexp(2.0, -static_cast<int>(std::bit_width(max_code)));
   }
   constexpr int kMantissaBits = std::numeric_limits<float>::digits - 1;
   const double normal = std::max(greatest_depth, double{std::numeric_limits<float>::min()});

@@ -23,19 +23,22 @@ std::optional<Isa> isa_named(std::string_view name) {
   return found == kAllIsas.end() ? std::nullopt : std::optional(*found);
 }
 
+// The builtin gives an int in GCC and a bool in Clang.
 bool is_supported(Isa isa) {
   switch (isa) {
     case Isa::kScalar:
       return true;
     case Isa::kSse41:
-      return __builtin_cpu_supports("sse4.1") != 0;
+      return static_cast<bool>(__builtin_cpu_supports("sse4.1"));
     case Isa::kAvx2:
-      return __builtin_cpu_supports("avx2") != 0;
+      return static_cast<bool>(__builtin_cpu_supports("avx2"));
     case Isa::kAvx512:
       break;
   }
-  return __builtin_cpu_supports("avx512f") != 0 && __builtin_cpu_supports("avx512bw") != 0 &&
-         __builtin_cpu_supports("avx512dq") != 0 && __builtin_cpu_supports("avx512vl") != 0;
+  return static_cast<bool>(__builtin_cpu_supports("avx512f")) &&
+         static_cast<bool>(__builtin_cpu_supports("avx512bw")) &&
+         static_cast<bool>(__builtin_cpu_supports("avx512dq")) &&
+         static_cast<bool>(__builtin_cpu_supports("avx512vl"));
 }
 
 Isa best_isa() {

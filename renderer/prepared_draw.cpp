@@ -108,10 +108,10 @@ Result<void> check(const DrawInput& input, const Options& options) {
     return failure(fmt::format("{} samples a pixel", input.samples), "1, 2, 4, 8 or 16");
   }
   const size_t depth_values = input.depth.values.size();
-  if (const auto checked = check_size("depth", depth_values, input); !checked) {
+  if (auto checked = check_size("depth", depth_values, input); !checked) {
     return checked;
   }
-  if (const auto checked = check_size("color", input.color.values.size(), input); !checked) {
+  if (auto checked = check_size("color", input.color.values.size(), input); !checked) {
     return checked;
   }
   const VkFormat format = input.depth.format;
@@ -157,8 +157,9 @@ void set_up_samples(PreparedDraw& prepared) {
     setup.clip_pixels = hull(setup.clip_pixels, pixels);
   }
   for (uint32_t i = 0; i < input.samples * kBlockSize; ++i) {
+    const uint32_t pixel = i / input.samples;
     const WindowOffset from_centre = prepared.sample_locations[i % input.samples].from_centre();
-    prepared.sample_offsets_x[i] = i / input.samples + from_centre.x;
+    prepared.sample_offsets_x[i] = pixel + from_centre.x;
     prepared.sample_offsets_y[i] = from_centre.y;
   }
 }

@@ -60,7 +60,7 @@ std::string excluded_text(const PrimitiveFacts& primitive) {
 }
 
 std::string name_of(const PrimitiveFacts& primitive) {
-  const std::string whole = fmt::format("primitive {}", primitive.number);
+  std::string whole = fmt::format("primitive {}", primitive.number);
   // Which of the polygon's vertices the i-th one is.
   const auto corner = [&](size_t i) {
     return std::ranges::find(primitive.polygon, primitive.vertices[i]) - primitive.polygon.begin();

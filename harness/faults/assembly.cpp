@@ -46,7 +46,9 @@ Primitive primitive_of(const Context& context, const Run& run, uint32_t i, bool 
     case VK_PRIMITIVE_TOPOLOGY_POINT_LIST:
       return {.vertices = {run[i], run[i], run[i]}, .size = 1, .provoking = run[i]};
     case VK_PRIMITIVE_TOPOLOGY_LINE_LIST:
-      return {.vertices = {run[2 * i], run[2 * i + 1]}, .size = 2, .provoking = run[2 * i + (last ? 1 : 0)]};
+      return {.vertices = {run[size_t{2} * i], run[size_t{2} * i + 1]},
+              .size = 2,
+              .provoking = run[size_t{2} * i + (last ? 1 : 0)]};
     case VK_PRIMITIVE_TOPOLOGY_LINE_STRIP:
       return {.vertices = {run[i], run[i + 1]}, .size = 2, .provoking = run[i + (last ? 1 : 0)]};
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP: {
@@ -61,7 +63,8 @@ Primitive primitive_of(const Context& context, const Run& run, uint32_t i, bool 
       return triangle;
     }
     default:
-      return {.vertices = {run[3 * i], run[3 * i + 1], run[3 * i + 2]}, .provoking = run[3 * i + (last ? 2 : 0)]};
+      return {.vertices = {run[size_t{3} * i], run[size_t{3} * i + 1], run[size_t{3} * i + 2]},
+              .provoking = run[size_t{3} * i + (last ? 2 : 0)]};
   }
 }
 
@@ -87,7 +90,8 @@ std::vector<Primitive> assemble(const Context& context) {
     }
   }
   if (context.has(Fault::kOrderLostBetweenThreads)) {
-    std::ranges::stable_partition(primitives, [](const Primitive& one) { return one.number % 2 == 1; });
+    std::stable_partition(primitives.begin(), primitives.end(),
+                          [](const Primitive& one) { return one.number % 2 == 1; });
   }
   return primitives;
 }

@@ -53,6 +53,7 @@ Result<Cheat> cheat_named(std::string_view name) {
   const auto* const found = std::ranges::find(kCheats, name, &CheatEntry::name);
   if (found != kCheats.end()) return found->cheat;
   std::vector<std::string> names;
+  names.reserve(kCheats.size());
   for (const CheatEntry& entry : kCheats) names.emplace_back(entry.name);
   return failure(fmt::format("there is no cheat '{}'", name), format::suggestion(name, names, "the cheats are"));
 }

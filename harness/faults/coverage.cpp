@@ -92,6 +92,7 @@ std::vector<Location> regular_grid(int32_t samples) {
   const int32_t columns = samples >= 8 ? 4 : 2;
   const int32_t rows = std::max(samples / columns, 1);
   std::vector<Location> grid;
+  grid.reserve(static_cast<size_t>(samples));
   for (int32_t i = 0; i < samples; ++i) {
     grid.push_back({.x = (2 * (i % columns) + 1) * 8 / columns, .y = (2 * (i / columns) + 1) * 8 / rows});
   }

@@ -25,7 +25,8 @@ std::vector<std::string> planes_at_fault(const Case& one, const Planes& planes) 
   std::vector<std::string> found;
   for (const judge::PlaneVerdict& plane : verdict.planes) {
     if (plane.candidate_faults() == 0) continue;
-    found.emplace_back(plane.kind == judge::PlaneKind::kVarying ? kVaryings : std::string_view(plane.name));
+    const std::string_view name = plane.name;
+    found.emplace_back(plane.kind == judge::PlaneKind::kVarying ? kVaryings : name);
   }
   found.erase(std::unique(found.begin(), found.end()), found.end());  // varyings are the last ones
   return found;

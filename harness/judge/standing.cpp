@@ -193,8 +193,8 @@ Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
   if (!outcome.depth_certain) return undecided_value(value, has_finite_values(piece));
   const exact::PieceValues& values = values_.values(outcome.depth_writer);
   const RasterState& state = case_.draws[piece.draw].state;
-  const auto [x, y] = exact::sample_place(case_.target, index).position;
-  const Expected depth = values.depth(x, y);
+  const exact::Position at = exact::sample_place(case_.target, index).position;
+  const Expected depth = values.depth(at.x, at.y);
   const Expected expected = expected_in(format, state, depth);
   if (depth.spread == 0 && value == exact::nearest_depth(format, expected.value)) {
     return {.level = Class::kExact,
@@ -207,11 +207,11 @@ Standing PartyJudge::depth_of(const Outcome& outcome, size_t index) const {
   if (open) return undecided_value(value, true);
   const auto exact_depth = [&] {
     Expected exactly = depth;
-    exactly.value = values.exact_depth(x, y);
+    exactly.value = values.exact_depth(at.x, at.y);
     return expected_in(format, state, exactly).value;
   };
   return confirmed(
-      value, expected, [&] { return values.depth_error(x, y); }, exact_depth);
+      value, expected, [&] { return values.depth_error(at.x, at.y); }, exact_depth);
 }
 
 Standing PartyJudge::varying(const Possibilities& possible, size_t index, uint32_t component) const {

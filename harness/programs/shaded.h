@@ -44,8 +44,8 @@ class ShadedSurface {
   [[nodiscard]] glm::vec3 color(const Corners& corners, const renderer::Fragment& fragment) const;
 
  private:
-  [[nodiscard]] SurfacePoint point_of(const Corners& corners, const renderer::Fragment& fragment) const;
-  [[nodiscard]] glm::vec2 uv_with(const Corners& corners, const renderer::PixelWeights& weights) const;
+  [[nodiscard]] SurfacePoint point_of(const Corners& v, const renderer::Fragment& fragment) const;
+  [[nodiscard]] glm::vec2 uv_with(const Corners& v, const renderer::PixelWeights& weights) const;
 
   const Draw* draw_;
   const DrawShading* shading_;

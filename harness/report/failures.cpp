@@ -28,8 +28,8 @@ std::vector<size_t> cases_at_fault(const run::RunResult& result) {
   for (size_t i = 0; i < result.cases.size(); ++i) {
     if (has_fault(result.cases[i])) chosen.push_back(i);
   }
-  std::ranges::stable_partition(chosen,
-                                [&](size_t index) { return result.cases[index].status == run::Status::kFailed; });
+  std::stable_partition(chosen.begin(), chosen.end(),
+                        [&](size_t index) { return result.cases[index].status == run::Status::kFailed; });
   return chosen;
 }
 

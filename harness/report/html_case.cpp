@@ -76,7 +76,8 @@ std::string packed_planes(const run::Drawing& drawing, const std::vector<SampleM
   }
   std::vector<uint8_t> bytes(marks.size());
   for (const judge::PlaneVerdict& plane : drawing.verdict.planes) {
-    std::ranges::transform(plane.map, bytes.begin(), [](judge::Verdict verdict) { return uint8_t(verdict); });
+    std::ranges::transform(plane.map, bytes.begin(),
+                           [](judge::Verdict verdict) { return static_cast<uint8_t>(verdict); });
     packer.add_bytes(bytes);
   }
   std::ranges::transform(marks, bytes.begin(), [](const SampleMark& mark) {
@@ -87,7 +88,8 @@ std::string packed_planes(const run::Drawing& drawing, const std::vector<SampleM
   std::vector<uint32_t> owners;
   owners.reserve(marks.size());
   const std::vector<judge::OracleAnswer>& oracle = drawing.verdict.oracle;
-  std::ranges::transform(oracle, bytes.begin(), [](const auto& answer) { return uint8_t(answer.coverage); });
+  std::ranges::transform(oracle, bytes.begin(),
+                         [](const auto& answer) { return static_cast<uint8_t>(answer.coverage); });
   for (const judge::OracleAnswer& answer : oracle) owners.push_back(answer.owner.value_or(kSeveralOwners));
   packer.add_bytes(bytes);
   packer.add_words(owners);
@@ -127,7 +129,7 @@ Json outline_json(const Outline& outline) {
             {"corners", Json::array()}};
   if (outline.kind != Outline::Kind::kTriangle) json["size"] = outline.size;
   for (const OutlineCorner& corner : outline.corners) {
-    json["corners"].push_back({float(corner.x), float(corner.y), corner.made_by});
+    json["corners"].push_back({static_cast<float>(corner.x), static_cast<float>(corner.y), corner.made_by});
   }
   return json;
 }

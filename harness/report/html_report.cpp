@@ -53,7 +53,7 @@ Json row_of(const run::CaseResult& one, bool unexpected, const std::string& sent
           unexpected ? 1 : 0,
           one.verdict.count(judge::Verdict::kImprecise),
           one.verdict.count(judge::Verdict::kPermitted),
-          float(one.seconds),
+          static_cast<float>(one.seconds),
           why};
 }
 

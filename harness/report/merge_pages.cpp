@@ -29,7 +29,7 @@ struct Pages {
 
 // The text of a script element; none if there is no such element.
 std::optional<std::string> script_text(const std::string& page, const std::string& id) {
-  const std::string start = "<script type=\"application/json\" id=\"" + id + "\">";
+  const std::string start = R"(<script type="application/json" id=")" + id + R"(">)";
   const size_t found = page.find(start);
   if (found == std::string::npos) return std::nullopt;
   const size_t begin = found + start.size();

@@ -76,7 +76,9 @@ Picture picture_of(const Case& test_case, const Planes& planes, const ValueRange
       const Rgb colour = colour_of_sample(pixel * planes.samples + sample);
       for (size_t c = 0; c < 3; ++c) sum[c] += colour[c];
     }
-    for (size_t c = 0; c < 3; ++c) picture.pixels[pixel][c] = static_cast<uint8_t>(sum[c] / planes.samples);
+    for (size_t c = 0; c < 3; ++c) {
+      picture.pixels[pixel][c] = static_cast<uint8_t>(sum[c] / std::max(planes.samples, 1U));
+    }
   }
   return picture;
 }

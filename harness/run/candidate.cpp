@@ -52,7 +52,8 @@ Candidate make_naive(const std::string& name, const CandidateOptions& options, c
 }
 
 Result<Candidate> make_faulty(const std::string& name, const CandidateOptions& options) {
-  return faults::fault_named(std::string_view(name).substr(kFaults.size())).map([&](faults::Fault fault) {
+  const std::string_view fault_name = name;
+  return faults::fault_named(fault_name.substr(kFaults.size())).map([&](faults::Fault fault) {
     return make_naive(name, options, [fault](const Case& test_case, uint32_t bits) {
       return faults::draw_case(test_case, fault, bits);
     });
@@ -60,7 +61,8 @@ Result<Candidate> make_faulty(const std::string& name, const CandidateOptions& o
 }
 
 Result<Candidate> make_cheat(const std::string& name, const CandidateOptions& options) {
-  return faults::cheat_named(std::string_view(name).substr(kCheats.size())).map([&](faults::Cheat cheat) {
+  const std::string_view cheat_name = name;
+  return faults::cheat_named(cheat_name.substr(kCheats.size())).map([&](faults::Cheat cheat) {
     return make_naive(name, options, [cheat](const Case& test_case, uint32_t bits) {
       return faults::draw_cheat(test_case, cheat, bits);
     });

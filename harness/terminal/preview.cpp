@@ -70,13 +70,14 @@ std::string base64(const std::vector<Rgb>& pixels) {
 std::string kitty_text(const std::vector<Picture>& panels) {
   const uint32_t scale = std::max(1U, kWantedPanel / std::max(panels.front().width, panels.front().height));
   const Picture sheet = report::side_by_side(panels, scale);
-  const std::string data = base64(sheet.pixels);
+  const std::string text_of_pixels = base64(sheet.pixels);
+  const std::string_view data = text_of_pixels;
   std::string text(kIndent, ' ');
   for (size_t begin = 0; begin < data.size(); begin += kKittyChunk) {
     const std::string head =
         begin == 0 ? fmt::format("a=T,f=24,s={},v={},q=2,", sheet.width, sheet.height) : std::string();
     text += fmt::format("\x1b_G{}m={};{}\x1b\\", head, begin + kKittyChunk < data.size() ? 1 : 0,
-                        std::string_view(data).substr(begin, kKittyChunk));
+                        data.substr(begin, kKittyChunk));
   }
   return text + "\n";
 }

@@ -202,7 +202,7 @@ BlockClassification BresenhamLine::classify_block(const Block& block, const Lati
 std::array<double, 4> BresenhamLine::bounds(const Latitude& latitude) const {
   const VkViewport& viewport = segment_.viewport();
   const double reach = static_cast<double>(width_most_) / 2 + 2 + latitude.x + latitude.y + std::min(slop_, 1e6);
-  const double left = double{viewport.x};
+  const auto left = double{viewport.x};
   const double top = std::min(double{viewport.y}, double{viewport.y} + double{viewport.height});
   std::array<double, 4> box{left - reach, top - reach, left + double{viewport.width} + reach,
                             top + std::abs(double{viewport.height}) + reach};

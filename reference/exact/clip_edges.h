@@ -4,6 +4,8 @@
 // drawn there, and everything within the line's or point's reach of a plane and of the polygon may.
 #pragma once
 
+#include <utility>
+
 #include "reference/exact/triangle.h"
 
 namespace fillrule::exact {
@@ -11,7 +13,7 @@ namespace fillrule::exact {
 class ClipEdges final : public Shape {
  public:
   // `reach`: pixels, how far from its centre line or vertex a line or a point may cover a sample.
-  ClipEdges(const Triangle& polygon, double reach) : polygon_(polygon), reach_(reach) {}
+  ClipEdges(Triangle polygon, double reach) : polygon_(std::move(polygon)), reach_(reach) {}
 
   [[nodiscard]] bool undefined() const override { return polygon_.undefined(); }
   [[nodiscard]] bool inside_volume() const override { return false; }

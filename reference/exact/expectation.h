@@ -79,7 +79,7 @@ class Expectation {
     uint32_t last = 0;
   };
   void add_draw(const Case& test_case, uint32_t draw, uint32_t first_primitive, uint32_t subpixel_bits);
-  void add_piece(const Case& test_case, Piece piece);
+  void add_piece(const Case& test_case, Piece added);
   template <typename Visit>
   void classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block, const Visit& visit) const;
   void append(size_t sample, const Classification& classification, uint32_t number);

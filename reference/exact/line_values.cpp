@@ -16,8 +16,12 @@ constexpr double kPlaceRoundings = 6;
 // As in value_bound.cpp: what flushing a denormal to zero loses, as a magnitude that rounds by as much.
 constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 constexpr float kAnyValue = std::numeric_limits<float>::quiet_NaN();
+
+double infinite_unless(bool known, double value) {
+  if (known) return value;
+  return kInfinity;
+}
 
 // The one of the values between a and b that is nearest to `value`, or, for NaN, the middle of them.
 Expected nearest(float value, double a, double b, double tolerance) {
@@ -183,7 +187,7 @@ LineValues::Judgement LineValues::smooth(const LineQuantity& numerator, float va
     const double shift = moved(place, dx, dy);
     for (const double there : {place - shift, place + shift}) {
       const bool in_front = reciprocal_w_.at(there) > 0;
-      tolerance.snapping = std::max(tolerance.snapping, in_front ? std::abs(at(there) - at(place)) : kInfinity);
+      tolerance.snapping = std::max(tolerance.snapping, infinite_unless(in_front, std::abs(at(there) - at(place))));
     }
     const double rounded = numerator.condition(dx, dy) + std::abs(at(place)) * reciprocal_w_.condition(dx, dy);
     tolerance.rounding = std::max(tolerance.rounding, kUnitRoundoff * rounded / std::abs(reciprocal_w_.at(place)));
@@ -229,12 +233,13 @@ PolygonDepth LineValues::depths() const {
   for (size_t i = 0; i < 2; ++i) {
     const double x = segment_.u(i) / segment_.w(i);
     const double y = segment_.v(i) / segment_.w(i);
-    most = segment_.w(i) > 0 ? std::max(most, std::abs(depth_.at(segment_.along(x, y)))) : kInfinity;
+    most = infinite_unless(segment_.w(i) > 0, std::max(most, std::abs(depth_.at(segment_.along(x, y)))));
     rounded = std::max(rounded, kUnitRoundoff * depth_.condition(x, y));
   }
   const double tolerance = (slope * (length - shortened) + 2 * std::numbers::sqrt2 * rounded) / shortened;
-  return {
-      .gradient_x = slope, .gradient_tolerance = shortened > 0 ? tolerance : kInfinity, .most_depth = most + rounded};
+  return {.gradient_x = slope,
+          .gradient_tolerance = infinite_unless(shortened > 0, tolerance),
+          .most_depth = most + rounded};
 }
 
 Expected LineValues::reciprocal_w(double x, double y) const {

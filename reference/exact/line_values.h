@@ -107,7 +107,7 @@ class LineValues final : public PieceValues {
   [[nodiscard]] double moved(double along, double dx, double dy) const;
   [[nodiscard]] Judgement linear(const LineQuantity& quantity, float value, double x, double y) const;
   [[nodiscard]] Judgement smooth(const LineQuantity& numerator, float value, double x, double y) const;
-  [[nodiscard]] Judgement varying(uint32_t component, float value, double x, double y) const;
+  [[nodiscard]] Judgement varying(uint32_t number, float value, double x, double y) const;
 
   Segment segment_;
   Rule rule_;

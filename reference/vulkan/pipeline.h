@@ -30,7 +30,7 @@ class PipelineCache {
   [[nodiscard]] bool uses_primitive_id() const { return use_primitive_id_; }
   // What a draw sets by itself, besides the state that is dynamic on every device.
   [[nodiscard]] const DynamicState& dynamic_state() const { return dynamic_state_; }
-  Result<VkPipeline> find_or_create(const PipelineKey& key);
+  Result<VkPipeline> find_or_create(const PipelineKey& wanted);
 
  private:
   PipelineCache() = default;

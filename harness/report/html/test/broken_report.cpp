@@ -5,6 +5,8 @@
 #include <fmt/core.h>
 
 #include <bit>
+#include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -25,8 +27,7 @@ std::vector<std::string> hostile_names() {
   return {"</script><script>window.broken = true</script>",
           "<img src=x onerror='window.broken = true'>",
           "quotes \" ' ` & &amp; <b>bold</b> <!-- ",
-          "\xe2\x80\xae"
-          "turned round \xf0\x9f\x94\xba \xe4\xb8\x89\xe8\xa7\x92\xe5\xbd\xa2",
+          "\xe2\x80\xaeturned round \xf0\x9f\x94\xba \xe4\xb8\x89\xe8\xa7\x92\xe5\xbd\xa2",
           "not UTF-8: \xff\xfe",
           std::string(3000, 'w'),
           "#case=&plane=?%zz+"};
@@ -122,11 +123,14 @@ int write_report(const std::string& folder, const std::string& fault, const std:
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   const std::vector<std::string> arguments(argv + 1, argv + argc);
   if (arguments.size() < 4) {
     for (const std::string_view name : fillrule::report::broken_candidates()) fmt::print("{}\n", name);
     return 0;
   }
   return write_report(arguments[0], arguments[1], arguments[2], {arguments.begin() + 3, arguments.end()});
+} catch (const std::exception& error) {
+  std::fputs(error.what(), stderr);
+  return 2;
 }

@@ -174,6 +174,7 @@ constexpr std::array<Fault, 15> kFaults{{{"culling_inverted", invert_culling},
 
 std::vector<std::string_view> broken_candidates() {
   std::vector<std::string_view> names;
+  names.reserve(kFaults.size());
   for (const Fault& fault : kFaults) names.push_back(fault.name);
   return names;
 }

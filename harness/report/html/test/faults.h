@@ -13,6 +13,6 @@ namespace fillrule::report {
 std::vector<std::string_view> broken_candidates();
 
 // Our renderer with one fault; an error where there is no such fault.
-Result<run::Candidate> make_broken(std::string_view fault);
+Result<run::Candidate> make_broken(std::string_view name);
 
 }  // namespace fillrule::report
