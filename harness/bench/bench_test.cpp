@@ -60,7 +60,7 @@ TEST(Renderer, DrawsTheSameColorsWithAnyInstructionSetAndThreads) {
 TEST(Measure, ComparesTheRendererWithTheDriver) {
   const std::vector<Scene> small = small_scenes();
   for (const Scene& scene : small) {
-    SCOPED_TRACE(&scene - &small[0]);
+    SCOPED_TRACE(&scene - small.data());
     const auto measured = measure("small", scene, {.repetitions = 1});
     ASSERT_TRUE(measured) << to_string(measured.error());
     EXPECT_EQ(measured->difference.coverage, 0U);
