@@ -37,7 +37,7 @@ std::string page_of(const std::vector<std::string>& names, const std::optional<s
 class MergePages : public testing::Test {
  protected:
   std::string shard(const std::string& name, const std::string& page) {
-    const std::string folder = folder_.path(name);
+    std::string folder = folder_.path(name);
     std::filesystem::create_directories(folder);
     std::ofstream(folder + "/report.html", std::ios::binary) << page;
     return folder;
