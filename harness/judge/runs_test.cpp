@@ -1,0 +1,98 @@
+// Judging whole runs of samples at once finds what judging one sample after the other finds: the same counts for each
+// plane, whatever is wrong in the pictures. Maps of verdicts are asked for where every sample is to be judged by
+// itself.
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "harness/judge/judge.h"
+#include "harness/programs/varyings.h"
+
+namespace fillrule::judge {
+namespace {
+
+constexpr uint32_t kSize = 24;
+
+class Random {
+ public:
+  explicit Random(uint32_t seed) : engine_(seed) {}
+  float between(float low, float high) { return std::uniform_real_distribution<float>(low, high)(engine_); }
+  uint32_t below(uint32_t end) { return std::uniform_int_distribution<uint32_t>(0, end - 1)(engine_); }
+
+ private:
+  std::mt19937 engine_;
+};
+
+// One to four draws of two triangles each, one over the other, with depth tests of every kind.
+Case layers(Random& random) {
+  Case result{.name = "layers",
+              .target = {.width = kSize, .height = kSize},
+              .varyings = {{.name = "uv", .components = 2, .interpolation = Interpolation::kSmooth},
+                           {.name = "id", .components = 1, .interpolation = Interpolation::kFlat}}};
+  if (random.below(4) == 0) result.target.samples = VK_SAMPLE_COUNT_4_BIT;
+  const uint32_t draws = 1 + random.below(4);
+  for (uint32_t i = 0; i < draws; ++i) {
+    Draw draw;
+    for (uint32_t vertex = 0; vertex < 6; ++vertex) {
+      const float w = random.between(1, 4);
+      draw.positions.push_back({w * random.between(-1, 1), w * random.between(-1, 1), w * random.between(0, 1), w});
+      draw.varyings.insert(draw.varyings.end(), {random.between(0, 1), random.between(-5, 5), static_cast<float>(i)});
+    }
+    draw.state.viewport = {.x = 0, .y = 0, .width = kSize, .height = kSize, .minDepth = 0, .maxDepth = 1};
+    draw.state.scissor = {.offset = {}, .extent = {.width = kSize, .height = kSize}};
+    draw.state.depth_test = random.below(3) != 0;
+    draw.state.depth_write = random.below(3) != 0;
+    draw.state.depth_compare = static_cast<VkCompareOp>(random.below(8));
+    if (random.below(5) == 0) draw.state.depth_bias = DepthBias{.slope_factor = 1};
+    result.draws.push_back(draw);
+  }
+  result.target.clear_depth = random.below(2) == 0 ? 1.0F : 0.5F;
+  return result;
+}
+
+void spoil_somewhere(Planes& planes, Random& random) {
+  const size_t index = random.below(static_cast<uint32_t>(planes.hits.size()));
+  switch (random.below(5)) {
+    case 0:
+      ++planes.hits[index];
+      break;
+    case 1:
+      planes.owner[index] = random.below(8);
+      break;
+    case 2:
+      planes.front_facing[index] ^= 1U;
+      break;
+    case 3:
+      planes.depth[index] += random.between(-0.1F, 0.1F);
+      break;
+    default:
+      planes.varyings[random.below(3)][index] += 1;
+  }
+}
+
+TEST(Runs, AreJudgedAsTheirSamplesAre) {
+  uint64_t faults = 0;
+  for (uint32_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Case test_case = layers(random);
+    const Result<Planes> right = programs::draw_case(test_case, {});
+    ASSERT_TRUE(right);
+    Planes wrong = *right;
+    for (uint32_t i = random.below(20); i > 0; --i) spoil_somewhere(wrong, random);
+    const Party candidate{.planes = &wrong};
+    const Party reference{.planes = &*right};
+    const CaseVerdict in_runs = judge(test_case, candidate, &reference, {});
+    const CaseVerdict one_by_one = judge(test_case, candidate, &reference, {.keep_maps = true});
+    EXPECT_EQ(in_runs.covered_samples, one_by_one.covered_samples);
+    for (size_t p = 0; p < in_runs.planes.size(); ++p) {
+      EXPECT_EQ(in_runs.planes[p].counts, one_by_one.planes[p].counts) << in_runs.planes[p].name;
+    }
+    EXPECT_EQ(in_runs.reference_faults(), 0U);
+    faults += in_runs.candidate_faults();
+  }
+  EXPECT_GT(faults, 500U);
+}
+
+}  // namespace
+}  // namespace fillrule::judge
