@@ -50,11 +50,11 @@ Case layers(Random& random) {
   return result;
 }
 
-void spoil_somewhere(Planes& planes, Random& random) {
+void spoil_somewhere(Planes& planes, float clear_depth, Random& random) {
   const size_t index = random.below(static_cast<uint32_t>(planes.hits.size()));
   switch (random.below(5)) {
     case 0:
-      ++planes.hits[index];
+      planes.hits[index] = random.below(2) == 0 ? 1 : planes.hits[index] + 1;
       break;
     case 1:
       planes.owner[index] = random.below(8);
@@ -63,7 +63,7 @@ void spoil_somewhere(Planes& planes, Random& random) {
       planes.front_facing[index] ^= 1U;
       break;
     case 3:
-      planes.depth[index] += random.between(-0.1F, 0.1F);
+      planes.depth[index] = random.below(2) == 0 ? clear_depth : planes.depth[index] + random.between(-0.1F, 0.1F);
       break;
     default:
       planes.varyings[random.below(3)][index] += 1;
@@ -79,7 +79,7 @@ TEST(Runs, AreJudgedAsTheirSamplesAre) {
     const Result<Planes> right = programs::draw_case(test_case, {});
     ASSERT_TRUE(right);
     Planes wrong = *right;
-    for (uint32_t i = random.below(20); i > 0; --i) spoil_somewhere(wrong, random);
+    for (uint32_t i = random.below(20); i > 0; --i) spoil_somewhere(wrong, test_case.target.clear_depth, random);
     const Party candidate{.planes = &wrong};
     const Party reference{.planes = &*right};
     const CaseVerdict in_runs = judge(test_case, candidate, &reference, {});
@@ -89,6 +89,11 @@ TEST(Runs, AreJudgedAsTheirSamplesAre) {
       EXPECT_EQ(in_runs.planes[p].counts, one_by_one.planes[p].counts) << in_runs.planes[p].name;
     }
     EXPECT_EQ(in_runs.reference_faults(), 0U);
+    const CaseVerdict alone_in_runs = judge(test_case, candidate, nullptr, {});
+    const CaseVerdict alone_one_by_one = judge(test_case, candidate, nullptr, {.keep_maps = true});
+    for (size_t p = 0; p < alone_in_runs.planes.size(); ++p) {
+      EXPECT_EQ(alone_in_runs.planes[p].candidate_faults(), alone_one_by_one.planes[p].candidate_faults());
+    }
     faults += in_runs.candidate_faults();
   }
   EXPECT_GT(faults, 500U);
