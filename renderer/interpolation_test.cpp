@@ -2,6 +2,7 @@
 
 #include <bit>
 
+#include "renderer/row_weights.h"
 #include "renderer/test_scene.h"
 
 namespace fillrule::renderer {
@@ -23,6 +24,51 @@ std::array<double, 3> window_barycentrics(const std::array<Vertex, 3>& v, double
   return {area(x, y, v[1].x_framebuffer, v[1].y_framebuffer, v[2].x_framebuffer, v[2].y_framebuffer) / whole,
           area(v[0].x_framebuffer, v[0].y_framebuffer, x, y, v[2].x_framebuffer, v[2].y_framebuffer) / whole,
           area(v[0].x_framebuffer, v[0].y_framebuffer, v[1].x_framebuffer, v[1].y_framebuffer, x, y) / whole};
+}
+
+// Planes of any kind: rows that begin inside, beside and behind a primitive.
+TEST(RowWeights, AreThoseOfItsPixelsToTheBit) {
+  SeededRandom random;
+  size_t plausible_rows = 0;
+  size_t other_rows = 0;
+  for (int i = 0; i < 2000; ++i) {
+    PrimitiveInterpolation planes{.anchor_x = 5, .anchor_y = -3};
+    for (size_t v = 0; v < 3; ++v) {
+      planes.per_w[v] = {random.uniform(0, 1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+      planes.w[v] = random.uniform(0.5, 4);
+    }
+    const auto x = static_cast<int32_t>(random.uniform(-4, 10));
+    const auto y = static_cast<int32_t>(random.uniform(-8, 4));
+    const RowWeights row(planes, x, y);
+    if (!row.are_plausible()) {
+      ++other_rows;
+      continue;
+    }
+    ++plausible_rows;
+    const RowOfWeights smooth = row.smooth();
+    const RowOfWeights noperspective = row.noperspective();
+    RowOfValues values;
+    ASSERT_TRUE(interpolate_row(1.5F, -2, 0.25F, smooth, values));
+    for (int32_t pixel = 0; pixel < kBlockSize; ++pixel) {
+      const PixelWeights weights = planes.weights_at(x + pixel, y);
+      const auto column = static_cast<size_t>(pixel);
+      EXPECT_EQ(values[column], interpolate(1.5F, -2, 0.25F, weights.smooth));
+      for (size_t v = 0; v < 3; ++v) {
+        EXPECT_EQ(smooth[v][column], weights.smooth[v]);
+        EXPECT_EQ(noperspective[v][column], weights.noperspective[v]);
+      }
+    }
+  }
+  EXPECT_GT(plausible_rows, 100U);
+  EXPECT_GT(other_rows, 100U);
+}
+
+TEST(RowWeights, LeaveInfiniteValuesToTheirPixels) {
+  RowOfWeights weights{};
+  weights[0].fill(4);
+  RowOfValues values;
+  EXPECT_TRUE(interpolate_row(1, 0, 0, weights, values));
+  EXPECT_FALSE(interpolate_row(3e38F, 0, 0, weights, values));
 }
 
 TEST(Interpolation, AgreesWithTheFormulaeOfTheSpecification) {
