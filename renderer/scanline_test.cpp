@@ -20,7 +20,7 @@ TileRows rows_of(const TileCoverage& coverage) {
     const CoverageBlock& block = coverage.blocks[i];
     for (int32_t bit = 0; bit < 64; ++bit) {
       if ((block.mask >> bit & 1) != 0) {
-        rows.at(static_cast<size_t>(block.y + bit / 8)) ^= uint64_t{1} << (block.x + bit % 8);
+        rows.at(static_cast<size_t>(block.y) + static_cast<size_t>(bit) / 8) ^= uint64_t{1} << (block.x + bit % 8);
       }
     }
   }

@@ -177,8 +177,8 @@ TEST(UserDistances, AreRefusedIfTooManyOrTooFew) {
     return drawn ? std::string() : drawn.error().what;
   };
   TestScene scene = quad();
-  scene.clip_distances.assign(4 * 5, 1);
-  scene.cull_distances.assign(4 * 4, 1);
+  scene.clip_distances.assign(size_t{4} * 5, 1);
+  scene.cull_distances.assign(size_t{4} * 4, 1);
   EXPECT_THAT(error_of(scene), ::testing::HasSubstr("9 clip and cull distances"));
   scene.cull_distances.assign(6, 1);
   EXPECT_THAT(error_of(scene), ::testing::HasSubstr("6 values of 1 distances for 4 vertices"));

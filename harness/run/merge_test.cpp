@@ -11,6 +11,7 @@ using testing::HasSubstr;
 
 std::vector<std::string> names(const std::vector<CaseResult>& cases) {
   std::vector<std::string> result;
+  result.reserve(cases.size());
   for (const CaseResult& one : cases) result.push_back(one.name);
   return result;
 }

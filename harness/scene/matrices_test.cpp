@@ -13,7 +13,7 @@ void expect_near(const glm::dvec3& a, const glm::dvec3& b) {
 }
 
 glm::dvec3 point(const Transform& transform, const glm::dvec3& position) {
-  return glm::dvec3(transform_matrix(transform) * glm::dvec4(position, 1));
+  return {transform_matrix(transform) * glm::dvec4(position, 1)};
 }
 
 Scene scene_with(const Projection& projection, Handedness handedness = Handedness::kRight) {

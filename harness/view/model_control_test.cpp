@@ -35,7 +35,7 @@ class ModelControlTest : public ::testing::TestWithParam<Handedness> {
     models_->apply(scene);
     const glm::dmat4 before = scene::transform_matrix(scene_.objects[0].transform);
     const glm::dmat4 after = scene::transform_matrix(scene.objects[0].transform);
-    return glm::dvec3(after * glm::inverse(before) * glm::dvec4(world, 1));
+    return {after * glm::inverse(before) * glm::dvec4(world, 1)};
   }
   [[nodiscard]] glm::dvec2 centre_pixel() const { return lens_.project(kCentre); }
 

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -75,7 +76,7 @@ Outcome run_command(const std::string& environment, const std::string& arguments
   const std::string line = fmt::format("env -u DISPLAY -u WAYLAND_DISPLAY -u SDL_VIDEODRIVER {} {} {} 2>&1",
                                        environment, FILLRULE_COMMAND, arguments);
   Outcome outcome;
-  std::FILE* const pipe = popen(line.c_str(), "r");
+  std::FILE* const pipe = popen(line.c_str(), "r");  // NOLINT(cert-env33-c): of words that are our own
   if (pipe == nullptr) return outcome;
   std::array<char, 4096> buffer{};
   for (size_t count = 0; (count = fread(buffer.data(), 1, buffer.size(), pipe)) > 0;) {
@@ -103,8 +104,8 @@ Pixels pixels_of(const std::string& path, const Rect& part) {
   for (int y = part.y; y < part.y + part.height; ++y) {
     for (int x = part.x; x < part.x + part.width; ++x) {
       const Texel& texel = level.texels[static_cast<size_t>(y) * level.width + static_cast<size_t>(x)];
-      pixels.push_back({static_cast<int>(texel[0] * 255 + 0.5F), static_cast<int>(texel[1] * 255 + 0.5F),
-                        static_cast<int>(texel[2] * 255 + 0.5F)});
+      const auto byte = [&texel](size_t channel) { return static_cast<int>(std::lround(texel[channel] * 255)); };
+      pixels.push_back({byte(0), byte(1), byte(2)});
     }
   }
   return pixels;
@@ -148,13 +149,14 @@ class WindowTest : public ::testing::Test {
 TEST_F(WindowTest, ShowsWhatRenderWrites) {
   const std::string scene = "scenes/textured_cube";
   ASSERT_EQ(view(scene + " --frames 2 --size 160x160 --screenshot " + file("shot.png")).exit_code, 0);
-  const char* const parties[] = {"renderer", "lavapipe"};
-  for (int i = 0; i < 2; ++i) {
+  constexpr std::array<const char*, 2> kParties{"renderer", "lavapipe"};
+  for (size_t i = 0; i < kParties.size(); ++i) {
     const std::string picture = file("picture.png");
     const Outcome rendered =
-        run_command("", "render " + scene + " --size 160x160 --by " + std::string(parties[i]) + " -o " + picture);
+        run_command("", "render " + scene + " --size 160x160 --by " + std::string(kParties[i]) + " -o " + picture);
     ASSERT_EQ(rendered.exit_code, 0) << rendered.output;
-    EXPECT_EQ(pixels_of(file("shot.png"), pane(i)), pixels_of(picture, {0, 0, kSide, kSide})) << parties[i];
+    EXPECT_EQ(pixels_of(file("shot.png"), pane(static_cast<int>(i))), pixels_of(picture, {0, 0, kSide, kSide}))
+        << kParties[i];
   }
 }
 
@@ -202,7 +204,7 @@ TEST_F(WindowTest, RefusesWhatIsWrongBeforeAWindowOpens) {
   const std::string events = file("bad.events");
   std::FILE* const written = std::fopen(events.c_str(), "w");
   ASSERT_NE(written, nullptr);
-  std::fputs("frame 1\npress lfet\n", written);
+  ASSERT_GE(std::fputs("frame 1\npress lfet\n", written), 0);
   ASSERT_EQ(std::fclose(written), 0);
   const Outcome bad = view("'scenes/cube[turn=15]' --events " + events);
   EXPECT_EQ(bad.exit_code, 2);

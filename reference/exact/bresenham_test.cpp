@@ -59,7 +59,10 @@ bool by_the_letter(Position a, Position b, double centre_x, double centre_y) {
 TEST(BresenhamLine, OwnsWhatTheDiamondExitRuleSaysWhereverItsEndsAre) {
   // All ends on a grid of 1/4 px in 2x2 pixels, at their corners, edges and centres too.
   constexpr int kSteps = 9;
-  const auto position = [](int number) { return Position{20 + number % kSteps / 4.0, 30 + number / kSteps / 4.0}; };
+  const auto position = [](int number) {
+    const int row = number / kSteps;
+    return Position{20 + number % kSteps / 4.0, 30 + row / 4.0};
+  };
   for (int i = 0; i < kSteps * kSteps; ++i) {
     for (int j = 0; j < kSteps * kSteps; ++j) {
       if (i == j) continue;
@@ -68,8 +71,10 @@ TEST(BresenhamLine, OwnsWhatTheDiamondExitRuleSaysWhereverItsEndsAre) {
       const BresenhamLine drawn = line(a.x, a.y, b.x, b.y);
       ASSERT_TRUE(drawn.on_grid(4));
       int64_t columns = 0;
-      for (double y = 28.5; y < 34; ++y) {
-        for (double x = 18.5; x < 24; ++x) {
+      for (int row = 28; row < 34; ++row) {
+        for (int column = 18; column < 24; ++column) {
+          const double x = column + 0.5;
+          const double y = row + 0.5;
           const bool owns = drawn.owns(x, y);
           ASSERT_EQ(owns, by_the_letter(a, b, x, y))
               << a.x << "," << a.y << " to " << b.x << "," << b.y << " at " << x << "," << y;
@@ -126,7 +131,7 @@ TEST(BresenhamLine, WideOnesAreReplicatedAlongTheMinorAxis) {
   const BresenhamLine upright = line(10.5, 10.5, 12.5, 30.5, 2.4F);
   EXPECT_EQ(upright.width(), 2);
   int fragments = 0;
-  for (double x = 5.5; x < 20; ++x) fragments += upright.owns(x, 20.5) ? 1 : 0;
+  for (int x = 5; x < 20; ++x) fragments += upright.owns(x + 0.5, 20.5) ? 1 : 0;
   EXPECT_EQ(fragments, 2);
 }
 

@@ -24,7 +24,7 @@ ClipPosition at(double x, double y, double z = 0.5, double w = 1) {
 }
 
 Point point(const ClipPosition& vertex, float size, std::span<const float> distances = {}) {
-  return Point(vertex, point_size_range(size), distances, state_of());
+  return {vertex, point_size_range(size), distances, state_of()};
 }
 
 Coverage coverage(const Point& point, double x, double y, uint32_t bits = 8) {
