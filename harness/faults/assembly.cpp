@@ -42,13 +42,13 @@ std::vector<Run> runs_of(const Context& context) {
 Primitive primitive_of(const Context& context, const Run& run, uint32_t i, bool odd) {
   const bool last = context.state().provoking_vertex == VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT ||
                     context.has(Fault::kFlatFromLastVertex);
+  const size_t pair = size_t{2} * i;
+  const size_t triple = size_t{3} * i;
   switch (context.draw.topology) {
     case VK_PRIMITIVE_TOPOLOGY_POINT_LIST:
       return {.vertices = {run[i], run[i], run[i]}, .size = 1, .provoking = run[i]};
     case VK_PRIMITIVE_TOPOLOGY_LINE_LIST:
-      return {.vertices = {run[size_t{2} * i], run[size_t{2} * i + 1]},
-              .size = 2,
-              .provoking = run[size_t{2} * i + (last ? 1 : 0)]};
+      return {.vertices = {run[pair], run[pair + 1]}, .size = 2, .provoking = run[pair + (last ? 1 : 0)]};
     case VK_PRIMITIVE_TOPOLOGY_LINE_STRIP:
       return {.vertices = {run[i], run[i + 1]}, .size = 2, .provoking = run[i + (last ? 1 : 0)]};
     case VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP: {
@@ -63,8 +63,7 @@ Primitive primitive_of(const Context& context, const Run& run, uint32_t i, bool 
       return triangle;
     }
     default:
-      return {.vertices = {run[size_t{3} * i], run[size_t{3} * i + 1], run[size_t{3} * i + 2]},
-              .provoking = run[size_t{3} * i + (last ? 2 : 0)]};
+      return {.vertices = {run[triple], run[triple + 1], run[triple + 2]}, .provoking = run[triple + (last ? 2 : 0)]};
   }
 }
 
