@@ -44,9 +44,11 @@ constexpr std::array<Meaning, kChecks.size()> kMeanings{{
     {"scissor_crop", "under a smaller scissor: it cuts at other borders than it has, or changes what is inside"},
 }};
 
+static_assert(std::ranges::is_permutation(kMeanings, kChecks, {}, &Meaning::check));
+
 CheckResult differs(std::string_view name, const std::string& difference) {
   const auto* const meaning = std::ranges::find(kMeanings, name, &Meaning::check);
-  return failed(name, meaning == kMeanings.end() ? difference : fmt::format("{}, {}", difference, meaning->text));
+  return failed(name, fmt::format("{}, {}", difference, meaning->text));
 }
 
 CheckResult does_not_fit(std::string_view name, std::string reason) {

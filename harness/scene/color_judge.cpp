@@ -37,10 +37,10 @@ class AllowedColors {
       for (Bounds& bounds : bounds_) bounds.known = false;
     }
     // Nearly all colours are within the narrow bounds, and hence within the others.
-    for (const ColorBounds& bounds : bounds_at(Latitude::kLeast, x, y).bounds) {
+    for (const ColorBounds& bounds : bounds_at(Tolerances::kLeast, x, y).bounds) {
       if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
     }
-    const Bounds& all = bounds_at(Latitude::kAll, x, y);
+    const Bounds& all = bounds_at(Tolerances::kAll, x, y);
     for (const ColorBounds& bounds : all.bounds) {
       if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
     }
@@ -49,8 +49,9 @@ class AllowedColors {
   }
 
  private:
-  // What the varyings' tolerances are taken as: a lower bound of them, which is cheap, or all of them.
-  enum class Latitude : uint8_t { kLeast, kAll };
+  // Which tolerances of the varyings bounds are made with: lower bounds of them (PieceValues::least_varyings), which
+  // are cheap and accuse nobody, or the real ones, the only ones that a colour can be outside of.
+  enum class Tolerances : uint8_t { kLeast, kAll };
   // Of the sample and owner asked for last: those of all pieces, up to the first of which nothing can be said.
   struct Bounds {
     bool known = false;
@@ -67,13 +68,13 @@ class AllowedColors {
     return inside;
   }
 
-  const Bounds& bounds_at(Latitude latitude, double x, double y) {
-    Bounds& bounds = bounds_[static_cast<size_t>(latitude)];
-    if (!bounds.known) work_out(latitude, x, y, bounds);
+  const Bounds& bounds_at(Tolerances tolerances, double x, double y) {
+    Bounds& bounds = bounds_[static_cast<size_t>(tolerances)];
+    if (!bounds.known) work_out(tolerances, x, y, bounds);
     return bounds;
   }
 
-  void work_out(Latitude latitude, double x, double y, Bounds& result) {
+  void work_out(Tolerances tolerances, double x, double y, Bounds& result) {
     result.known = true;
     result.is_open = false;
     result.bounds.clear();
@@ -83,7 +84,7 @@ class AllowedColors {
       if (piece.owner != owner_) continue;
       // The values of such pieces are undefined ground.
       const bool is_defined = !piece.shape->undefined() && !piece.thin;
-      const auto range = is_defined ? range_of(latitude, entry.piece, piece, x, y) : std::nullopt;
+      const auto range = is_defined ? range_of(tolerances, entry.piece, piece, x, y) : std::nullopt;
       if (!range) {
         result.is_open = true;
         return;
@@ -100,9 +101,9 @@ class AllowedColors {
 
   using Components = std::array<exact::Expected, programs::kSceneComponents>;
 
-  static Components components_at(Latitude latitude, const exact::PieceValues& values, double x, double y) {
+  static Components components_at(Tolerances tolerances, const exact::PieceValues& values, double x, double y) {
     Components components;
-    if (latitude == Latitude::kLeast) {
+    if (tolerances == Tolerances::kLeast) {
       values.least_varyings(x, y, components);
     } else {
       values.varyings(x, y, components);
@@ -110,10 +111,10 @@ class AllowedColors {
     return components;
   }
 
-  std::optional<SurfaceRange> range_of(Latitude latitude, uint32_t number, const exact::Piece& piece, double x,
+  std::optional<SurfaceRange> range_of(Tolerances tolerances, uint32_t number, const exact::Piece& piece, double x,
                                        double y) {
     const exact::PieceValues& exact_values = values(number, piece);
-    const Components here = components_at(latitude, exact_values, x, y);
+    const Components here = components_at(tolerances, exact_values, x, y);
     SurfaceRange range;
     double worst = 0;
     const auto read = [&](const Components& components, uint32_t component, double& value, double& error) {
@@ -135,7 +136,7 @@ class AllowedColors {
     if (shading_[piece.draw].uniforms.mipmapped != 0) {
       for (uint32_t axis = 0; axis < 2; ++axis) {
         read_step(
-            axis, [&](double at_x, double at_y) { return components_at(latitude, exact_values, at_x, at_y); }, read,
+            axis, [&](double at_x, double at_y) { return components_at(tolerances, exact_values, at_x, at_y); }, read,
             x, y, range);
       }
     }
@@ -170,7 +171,7 @@ class AllowedColors {
   bool asked_ = false;
   size_t sample_ = 0;
   uint32_t owner_ = 0;
-  std::array<Bounds, 2> bounds_;  // by Latitude
+  std::array<Bounds, 2> bounds_;  // by Tolerances
 };
 
 std::array<float, 3> color_at(const Planes& planes, size_t index) {
