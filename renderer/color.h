@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 #include <cstdint>
+#include <cstring>
 #include <optional>
 #include <span>
 
@@ -84,22 +85,28 @@ inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolati
 [[gnu::always_inline]] inline VaryingPlanes smooth_planes(const PrimitiveInterpolation& interpolation,
                                                           int32_t anchor_x, int32_t anchor_y, const Vec4& value0,
                                                           const Vec4& value1, const Vec4& value2) {
+  using Values = SimdVector<double, sizeof(double) * 4>::Type;  // lane by lane a component
+  const auto widened = [](const Vec4& value) __attribute__((always_inline)) {
+    SimdVector<float, sizeof(Vec4)>::Type values;
+    std::memcpy(&values, value.data(), sizeof values);
+    return __builtin_convertvector(values, Values);
+  };
+  const Values a = widened(value0);
+  const Values b = widened(value1);
+  const Values c = widened(value2);
+  const auto sum = [&](double of_a, double of_b, double of_c) __attribute__((always_inline)) {
+    const auto rounded =
+        __builtin_convertvector(of_a * a + of_b * b + of_c * c, SimdVector<float, sizeof(Vec4)>::Type);
+    Vec4 result;
+    std::memcpy(result.data(), &rounded, sizeof rounded);
+    return result;
+  };
   const double x = anchor_x - interpolation.anchor_x;
   const double y = anchor_y - interpolation.anchor_y;
   const auto& [l0, l1, l2] = interpolation.per_w;
-  const double at0 = l0.at(x, y);
-  const double at1 = l1.at(x, y);
-  const double at2 = l2.at(x, y);
-  VaryingPlanes planes;
-  for (size_t i = 0; i < 4; ++i) {
-    const double a = value0[i];
-    const double b = value1[i];
-    const double c = value2[i];
-    planes.at_anchor[i] = static_cast<float>(at0 * a + at1 * b + at2 * c);
-    planes.step_x[i] = static_cast<float>(l0.step_x * a + l1.step_x * b + l2.step_x * c);
-    planes.step_y[i] = static_cast<float>(l0.step_y * a + l1.step_y * b + l2.step_y * c);
-  }
-  return planes;
+  return {.at_anchor = sum(l0.at(x, y), l1.at(x, y), l2.at(x, y)),
+          .step_x = sum(l0.step_x, l1.step_x, l2.step_x),
+          .step_y = sum(l0.step_y, l1.step_y, l2.step_y)};
 }
 
 // Clamped to [0, 1], NaN to 0, and to the nearest of 256 codes, ties to even.

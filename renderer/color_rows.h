@@ -22,68 +22,60 @@ template <typename Lanes, ColorProgram P>
   return packed_unorm8<Lanes>(program.template color<Lanes>(data, fragments));
 }
 
-// The colours of one primitive in a column of rows of lanes, from x to the right. It holds copies: stores to the
-// attachment cannot change those, so that what all rows share is computed once.
+// A primitive's fragments' colours. It holds copies: stores to the attachment cannot change those, so that what all
+// fragments share is computed once.
 template <typename Lanes, ColorProgram P>
-class ColorRows {
+class PrimitiveColors {
  public:
-  // `first`: the column's first value.
   template <typename Shader>
-  [[gnu::always_inline]] ColorRows(const Shader& shader, int32_t x, uint32_t* first)
-      : x_from_anchor_(Lanes::to_float(Lanes::numbers() + (x - shader.primitive.anchor_x))),
-        program_(shader.program),
-        values_(first),
-        data_(shader.data),
-        reciprocal_w_(shader.reciprocal_w),
-        anchor_y_(shader.primitive.anchor_y) {}
+  [[gnu::always_inline]] explicit PrimitiveColors(const Shader& shader)
+      : program_(shader.program),
+        data_(shader.primitive.data),
+        reciprocal_w_(shader.primitive.reciprocal_w),
+        anchor_x_(shader.primitive.shaded.anchor_x),
+        anchor_y_(shader.primitive.shaded.anchor_y) {}
 
-  // Of the fragments in the mask, so many values after the first row.
-  [[gnu::always_inline]] void write(int32_t offset, int32_t y, const typename Lanes::Mask& mask) const {
-    uint32_t* const stored = values_ + offset;
-    Lanes::store(mask ? packed(y) : Lanes::load(stored), stored);
+  // Of the centres of as many pixels as there are lanes, from the pixel x on.
+  [[nodiscard, gnu::always_inline]] typename Lanes::Float x_from_anchor(int32_t x) const {
+    return Lanes::to_float(Lanes::numbers() + (x - anchor_x_));
   }
 
-  // Of all of them.
-  [[gnu::always_inline]] void write_all(int32_t offset, int32_t y) const {
-    Lanes::store(packed(y), values_ + offset);
-  }
-
-  // The same of pixels of several samples: bit i is value i; or all of them.
-  template <uint32_t kSamples, bool kIsFull>
-  [[gnu::always_inline]] void write_samples(int32_t offset, int32_t y, uint32_t bits) const {
-    write_vectors<kSamples, kIsFull>(values_ + offset, packed(y), bits,
-                                     std::make_integer_sequence<uint32_t, kSamples>());
+  // Of the fragments there in the row y, packed.
+  [[nodiscard, gnu::always_inline]] typename Lanes::Int packed(const typename Lanes::Float& x_from_anchor,
+                                                               int32_t y) const {
+    return packed_color<Lanes>(program_, data_, reciprocal_w_, x_from_anchor, static_cast<float>(y - anchor_y_));
   }
 
  private:
-  [[nodiscard, gnu::always_inline]] typename Lanes::Int packed(int32_t y) const {
-    return packed_color<Lanes>(program_, data_, reciprocal_w_, x_from_anchor_, static_cast<float>(y - anchor_y_));
-  }
-
-  template <uint32_t kSamples, bool kIsFull, uint32_t... kVectors>
-  [[gnu::always_inline]] static void write_vectors(uint32_t* stored, const typename Lanes::Int& packed, uint32_t bits,
-                                                   std::integer_sequence<uint32_t, kVectors...> /*all*/) {
-    (write_vector<kIsFull>(stored + size_t{kVectors} * Lanes::kWidth,
-                           Lanes::template repeated<kSamples, kVectors>(packed), bits >> (kVectors * Lanes::kWidth)),
-     ...);
-  }
-
-  template <bool kIsFull>
-  [[gnu::always_inline]] static void write_vector(uint32_t* stored, const typename Lanes::Int& packed,
-                                                  uint32_t bits) {
-    if constexpr (kIsFull) {
-      Lanes::store(packed, stored);
-    } else {
-      Lanes::store(Lanes::mask_of(bits) ? packed : Lanes::load(stored), stored);
-    }
-  }
-
-  typename Lanes::Float x_from_anchor_;
   const P& program_;
-  uint32_t* values_;
   const typename P::PrimitiveData data_;
   VaryingPlane reciprocal_w_;
+  int32_t anchor_x_;
   int32_t anchor_y_;
 };
+
+template <bool kIsFull, typename Lanes>
+[[gnu::always_inline]] inline void write_vector(const typename Lanes::Int& packed, uint32_t bits, uint32_t* stored) {
+  if constexpr (kIsFull) {
+    Lanes::store(packed, stored);
+  } else {
+    Lanes::store(Lanes::mask_of(bits) ? packed : Lanes::load(stored), stored);
+  }
+}
+
+template <typename Lanes, uint32_t kSamples, bool kIsFull, uint32_t... kVectors>
+[[gnu::always_inline]] inline void write_vectors(const typename Lanes::Int& packed, uint32_t bits, uint32_t* stored,
+                                                 std::integer_sequence<uint32_t, kVectors...> /*all*/) {
+  (write_vector<kIsFull, Lanes>(Lanes::template repeated<kSamples, kVectors>(packed),
+                                bits >> (kVectors * Lanes::kWidth), stored + size_t{kVectors} * Lanes::kWidth),
+   ...);
+}
+
+// The colours of as many pixels as there are lanes, to those of their samples whose bits are set, kSamples a pixel;
+// or to all of them.
+template <typename Lanes, uint32_t kSamples, bool kIsFull>
+[[gnu::always_inline]] inline void write_samples(const typename Lanes::Int& packed, uint32_t bits, uint32_t* stored) {
+  write_vectors<Lanes, kSamples, kIsFull>(packed, bits, stored, std::make_integer_sequence<uint32_t, kSamples>());
+}
 
 }  // namespace fillrule::renderer::internal

@@ -81,6 +81,13 @@ struct SampleArea {
   PixelRect pixels;
 };
 
+// Lane by lane a sample within a row of pixels, for row_spans.h: that of lane i is sample i % n of a pixel's n
+// samples, i / n rows down.
+struct SpanSamples {
+  std::array<int32_t, kBlockSize> x_fixed{};
+  std::array<int32_t, kBlockSize> y_fixed{};
+};
+
 void cover_samples(const CoverageRule& rule, std::span<const FixedPosition> outline,
                    std::span<const SampleArea> samples, const PixelRect& rect, SampledTileCoverage& coverage);
 

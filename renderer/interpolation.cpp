@@ -1,13 +1,13 @@
 #include "renderer/interpolation.h"
 
+#include <algorithm>
+
+#include "renderer/triangle_planes.h"
+
 namespace fillrule::renderer {
 namespace {
 
 using Vector = std::array<double, 3>;
-
-Vector cross(const Vector& a, const Vector& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
 
 // (X, Y, w) with the origin of the window at the anchor's centre.
 Vector window_row(const VkViewport& viewport, const ClipPosition& pos_clip, int32_t anchor_x, int32_t anchor_y) {
@@ -17,14 +17,6 @@ Vector window_row(const VkViewport& viewport, const ClipPosition& pos_clip, int3
   const double centre_y = double{viewport.y} + half_height - (anchor_y + 0.5);
   const double w = pos_clip[3];
   return {half_width * double{pos_clip[0]} + centre_x * w, half_height * double{pos_clip[1]} + centre_y * w, w};
-}
-
-// The sum of the determinant's absolute terms: what its rounding errors are proportional to.
-double determinant_scale(const Vector& a, const Vector& b, const Vector& c) {
-  const auto term = [](double r, double s, double t, double u, double v) {
-    return std::abs(r) * (std::abs(s * t) + std::abs(u * v));
-  };
-  return term(a[0], b[1], c[2], b[2], c[1]) + term(a[1], b[2], c[0], b[0], c[2]) + term(a[2], b[0], c[1], b[1], c[0]);
 }
 
 // One vertex everywhere: the first that can be seen.
@@ -58,24 +50,30 @@ WindowPlane depth_plane(const std::array<WindowPlane, 3>& per_w, const std::arra
 PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const DepthTransform& depth_transform,
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y) {
-  const std::array<Vector, 3> rows{window_row(viewport, positions_clip[0], anchor_x, anchor_y),
-                                   window_row(viewport, positions_clip[1], anchor_x, anchor_y),
-                                   window_row(viewport, positions_clip[2], anchor_x, anchor_y)};
-  const std::array<double, 3> w{rows[0][2], rows[1][2], rows[2][2]};
-  const std::array<Vector, 3> adjugate = {cross(rows[1], rows[2]), cross(rows[2], rows[0]), cross(rows[0], rows[1])};
-  const double determinant = rows[0][0] * adjugate[0][0] + rows[0][1] * adjugate[0][1] + rows[0][2] * adjugate[0][2];
-  // Below this, rounding alone decides about the determinant.
-  constexpr double kMinRelativeDeterminant = 0x1p-48;
-  std::array<WindowPlane, 3> per_w;
-  if (std::abs(determinant) <= kMinRelativeDeterminant * determinant_scale(rows[0], rows[1], rows[2])) {
-    per_w = constant_planes(w);
-  } else {
-    for (size_t i = 0; i < 3; ++i) {
-      per_w[i] = {.at_anchor = adjugate[i][2] / determinant,
-                  .step_x = adjugate[i][0] / determinant,
-                  .step_y = adjugate[i][1] / determinant};
-    }
+  internal::LaneTriangles<ScalarLanes> triangle{.anchor_x = static_cast<double>(anchor_x),
+                                                .anchor_y = static_cast<double>(anchor_y)};
+  for (size_t vertex = 0; vertex < 3; ++vertex) {
+    std::copy(positions_clip[vertex].begin(), positions_clip[vertex].end(), triangle.positions_clip[vertex].begin());
   }
+  const auto planes = internal::triangle_planes<ScalarLanes>(viewport, depth_transform, triangle);
+  if (std::abs(planes.determinant) <= planes.rounding) {
+    return make_constant_interpolation(depth_transform, positions_clip, anchor_x, anchor_y);
+  }
+  const auto plane = [](const internal::LaneVector<ScalarLanes>& of) {
+    return WindowPlane{.at_anchor = of[2], .step_x = of[0], .step_y = of[1]};
+  };
+  return {.anchor_x = anchor_x,
+          .anchor_y = anchor_y,
+          .per_w = {plane(planes.per_w[0]), plane(planes.per_w[1]), plane(planes.per_w[2])},
+          .w = {positions_clip[0][3], positions_clip[1][3], positions_clip[2][3]},
+          .depth_framebuffer = plane(planes.depth_framebuffer)};
+}
+
+PrimitiveInterpolation make_constant_interpolation(const DepthTransform& depth_transform,
+                                                   const std::array<ClipPosition, 3>& positions_clip,
+                                                   int32_t anchor_x, int32_t anchor_y) {
+  const std::array<double, 3> w{positions_clip[0][3], positions_clip[1][3], positions_clip[2][3]};
+  const std::array<WindowPlane, 3> per_w = constant_planes(w);
   return {.anchor_x = anchor_x,
           .anchor_y = anchor_y,
           .per_w = per_w,

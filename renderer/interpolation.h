@@ -118,6 +118,11 @@ PrimitiveInterpolation make_interpolation(const VkViewport& viewport, const Dept
                                           const std::array<ClipPosition, 3>& positions_clip, int32_t anchor_x,
                                           int32_t anchor_y);
 
+// Of such a triangle: those of its first vertex that can be seen.
+PrimitiveInterpolation make_constant_interpolation(const DepthTransform& depth_transform,
+                                                   const std::array<ClipPosition, 3>& positions_clip,
+                                                   int32_t anchor_x, int32_t anchor_y);
+
 // What a point of a line takes its values from: the nearest point of the segment's line, or the one in the same
 // column or row (of Bresenham lines, by their major direction).
 enum class LineParameter : uint8_t { kProjection, kX, kY };

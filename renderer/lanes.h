@@ -20,6 +20,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <utility>
 
 namespace fillrule::renderer {
@@ -51,6 +52,9 @@ struct ScalarLanes {
   static Float to_float(Int value) { return static_cast<float>(value); }
   static Double to_double(Float value) { return value; }
   static Double to_double(Int value) { return value; }
+  // Without its fraction.
+  static Int truncated(Float value) { return static_cast<Int>(value); }
+  static Double magnitude(Double value) { return std::abs(value); }
   static Int bits_of(Float value) {
     Int bits;
     std::memcpy(&bits, &value, sizeof bits);
@@ -86,6 +90,24 @@ struct ScalarLanes {
   // Lane i of kPart's vector gets lane (kPart * kWidth + i) / kTimes: each lane kTimes, over kTimes vectors.
   template <uint32_t kTimes, uint32_t kPart>
   static Int repeated(Int value) {
+    return value;
+  }
+
+  // kCount values, again and again, to fill all lanes.
+  template <uint32_t kCount>
+  static Int load_each(const int32_t* values) {
+    static_assert(kCount == 1);
+    return *values;
+  }
+  // Of each kCount lanes side by side, to all of them. kCount is 1 or 4.
+  template <uint32_t kCount>
+  static Float least_of_each(Float value) {
+    static_assert(kCount == 1);
+    return value;
+  }
+  template <uint32_t kCount>
+  static Float greatest_of_each(Float value) {
+    static_assert(kCount == 1);
     return value;
   }
 };
@@ -152,7 +174,14 @@ struct VectorLanes {
   [[gnu::always_inline]] static Float load(const float* values) { return loaded<Float>(values); }
   [[gnu::always_inline]] static Int load(const int32_t* values) { return loaded<Int>(values); }
   [[gnu::always_inline]] static Int load(const uint32_t* values) { return loaded<Int>(values); }
-  [[gnu::always_inline]] static Double load(const double* values) { return loaded<Double>(values); }
+  [[gnu::always_inline]] static Double load(const double* values) {
+    Double result;
+    for (Part& part : result.parts) {  // a copy of the whole would go by way of memory, in halves of vectors
+      part = loaded<Part>(values);
+      values += sizeof(Part) / sizeof(double);
+    }
+    return result;
+  }
   template <typename Value, typename T>
   [[gnu::always_inline]] static void store(const Value& vector, T* values) {
     std::memcpy(values, &vector, sizeof vector);
@@ -170,6 +199,18 @@ struct VectorLanes {
   [[gnu::always_inline]] static Float to_float(const Int& value) { return __builtin_convertvector(value, Float); }
   [[gnu::always_inline]] static Double to_double(const Float& value) { return widened<HalfFloat>(value); }
   [[gnu::always_inline]] static Double to_double(const Int& value) { return widened<HalfInt>(value); }
+  [[gnu::always_inline]] static Double magnitude(const Double& value) {
+    using Bits = typename SimdVector<int64_t, kDoubleBytes>::Type;
+    Double result;
+    for (uint32_t i = 0; i < kParts; ++i) {
+      Bits bits;
+      std::memcpy(&bits, &value.parts[i], sizeof bits);
+      bits = bits & std::numeric_limits<int64_t>::max();
+      std::memcpy(&result.parts[i], &bits, sizeof bits);
+    }
+    return result;
+  }
+  [[gnu::always_inline]] static Int truncated(const Float& value) { return __builtin_convertvector(value, Int); }
   [[gnu::always_inline]] static Int bits_of(const Float& value) {
     Int bits;
     std::memcpy(&bits, &value, sizeof bits);
@@ -271,6 +312,35 @@ struct VectorLanes {
     return repeated<kTimes, kPart>(value, std::make_integer_sequence<uint32_t, kWidth>());
   }
 
+  template <uint32_t kCount>
+  [[gnu::always_inline]] static Int load_each(const int32_t* values) {
+    static_assert(kCount == 4);
+    const auto each = loaded<typename SimdVector<int32_t, kCount * sizeof(int32_t)>::Type>(values);
+    if constexpr (kWidth == kCount) {
+      return each;
+    } else {
+      return __builtin_shufflevector(each, each, 0, 1, 2, 3, 0, 1, 2, 3);
+    }
+  }
+  template <uint32_t kCount>
+  [[gnu::always_inline]] static Float least_of_each(const Float& value) {
+    if constexpr (kCount == 1) {
+      return value;
+    } else {
+      const Float of_two = lesser(value, exchanged<1>(value));
+      return lesser(of_two, exchanged<2>(of_two));
+    }
+  }
+  template <uint32_t kCount>
+  [[gnu::always_inline]] static Float greatest_of_each(const Float& value) {
+    if constexpr (kCount == 1) {
+      return value;
+    } else {
+      const Float of_two = greater(value, exchanged<1>(value));
+      return greater(of_two, exchanged<2>(of_two));
+    }
+  }
+
  private:
   static constexpr uint64_t kEachByte = 0x0101010101010101U;
   static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
@@ -318,6 +388,16 @@ struct VectorLanes {
       result.parts[i] = __builtin_convertvector(half, Part);
     }
     return result;
+  }
+  // Lane i gets lane i ^ kDistance.
+  template <uint32_t kDistance>
+  [[gnu::always_inline]] static Float exchanged(const Float& value) {
+    return exchanged<kDistance>(value, std::make_integer_sequence<uint32_t, kWidth>());
+  }
+  template <uint32_t kDistance, uint32_t... kNumbers>
+  [[gnu::always_inline]] static Float exchanged(const Float& value,
+                                                std::integer_sequence<uint32_t, kNumbers...> /*all*/) {
+    return __builtin_shufflevector(value, value, static_cast<int>(kNumbers ^ kDistance)...);
   }
   template <uint32_t kTimes, uint32_t kPart, uint32_t... kNumbers>
   [[gnu::always_inline]] static Int repeated(const Int& value, std::integer_sequence<uint32_t, kNumbers...> /*all*/) {

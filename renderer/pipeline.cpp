@@ -12,7 +12,7 @@ namespace fillrule::renderer {
 namespace {
 
 AssembledPrimitive assembled(const PreparedDraw& draw, uint32_t number, const std::array<uint32_t, 3>& vertices,
-                             const std::vector<ClipPosition>& positions_clip,
+                             std::span<const ClipPosition> positions_clip,
                              const std::array<WindowVertex, 3>& window_vertices) {
   const auto& [a, b, c] = vertices;
   const VertexDistances& distances = draw.input.clip_distances;
@@ -26,17 +26,15 @@ AssembledPrimitive assembled(const PreparedDraw& draw, uint32_t number, const st
 // Sets up primitives into a chunk.
 class ChunkBuilder {
  public:
-  ChunkBuilder(const PreparedDraw& draw, const std::vector<ClipPosition>& positions_clip,
-               const std::vector<WindowVertex>& window_vertices, PrimitiveChunk& chunk)
+  ChunkBuilder(const PreparedDraw& draw, std::span<const ClipPosition> positions_clip,
+               std::span<const WindowVertex> window_vertices, PrimitiveChunk& chunk)
       : draw_(draw), positions_clip_(positions_clip), window_vertices_(window_vertices), chunk_(chunk) {}
 
   void add(uint32_t number) const {
     const std::array<uint32_t, 3> vertices = draw_.assembly.vertices(number);
     const auto& [a, b, c] = vertices;
     if (draw_.shape == Shape::kPolygon && is_whole(window_vertices_[a], window_vertices_[b], window_vertices_[c])) {
-      add(setup_whole_triangle(
-          draw_.setup, number, vertices,
-          {window_vertices_[a].position, window_vertices_[b].position, window_vertices_[c].position}));
+      add_whole_triangle(number, vertices);
       return;
     }
     const AssembledPrimitive primitive = assembled(draw_, number, vertices, positions_clip_,
@@ -56,9 +54,22 @@ class ChunkBuilder {
     return (a.clip_code | b.clip_code | c.clip_code) == 0 && (a.cull_code & b.cull_code & c.cull_code) == 0;
   }
 
+  // Nearly all of most draws: set up where it is to stay, as copies would be a good part of the work.
+  void add_whole_triangle(uint32_t number, const std::array<uint32_t, 3>& vertices) const {
+    SetupPrimitive& triangle = chunk_.append();
+    for (size_t i = 0; i < 3; ++i) {
+      triangle.vertices[i] = window_vertices_[vertices[i]].position;
+      triangle.indices[i] = vertices[i];
+    }
+    triangle.primitive = number;
+    if (!setup_whole_triangle(draw_.setup, triangle)) {
+      chunk_.drop_last();
+    }
+  }
+
   void add(const std::optional<SetupPrimitive>& primitive) const {
     if (primitive) {
-      chunk_.add(*primitive);
+      chunk_.append() = *primitive;
     }
   }
 
@@ -85,13 +96,13 @@ class ChunkBuilder {
     }
     if (part) {
       part->front_facing = front_facing;
-      chunk_.add(*part);
+      chunk_.append() = *part;
     }
   }
 
   const PreparedDraw& draw_;
-  const std::vector<ClipPosition>& positions_clip_;
-  const std::vector<WindowVertex>& window_vertices_;
+  std::span<const ClipPosition> positions_clip_;
+  std::span<const WindowVertex> window_vertices_;
   PrimitiveChunk& chunk_;
 };
 
@@ -131,7 +142,7 @@ double bias_of(const PreparedDraw& draw, const std::array<ClipPosition, 3>& posi
 
 // The same for the polygon whose edges or corners are drawn.
 double bias_of_outlined(const PreparedDraw& draw, const std::array<uint32_t, 3>& vertices,
-                        const std::vector<ClipPosition>& all_positions_clip, int32_t anchor_x, int32_t anchor_y) {
+                        std::span<const ClipPosition> all_positions_clip, int32_t anchor_x, int32_t anchor_y) {
   const auto window_vertex = [&](uint32_t vertex) { return draw.window_vertex(vertex, all_positions_clip[vertex]); };
   const AssembledPrimitive triangle =
       assembled(draw, 0, vertices, all_positions_clip,
@@ -152,9 +163,8 @@ LineParameter line_parameter(const RasterState& state, std::span<const FixedPosi
 
 }  // namespace
 
-void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vector<ClipPosition>& positions_clip,
-                 const std::vector<WindowVertex>& window_vertices, uint32_t first, uint32_t end,
-                 PrimitiveChunk& chunk) {
+void build_chunk(const PreparedDraw& draw, const TileGrid& grid, std::span<const ClipPosition> positions_clip,
+                 std::span<const WindowVertex> window_vertices, uint32_t first, uint32_t end, PrimitiveChunk& chunk) {
   chunk.clear();
   const ChunkBuilder builder(draw, positions_clip, window_vertices, chunk);
   for (uint32_t primitive = first; primitive < end; ++primitive) {
@@ -164,18 +174,10 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vect
 }
 
 PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
-                                          const std::vector<ClipPosition>& positions_clip,
+                                          std::span<const ClipPosition> positions_clip,
                                           std::span<const FixedPosition> outline) {
   const std::array<uint32_t, 3>& vertices = primitive.indices;
-  // The anchor must not depend on what does not belong to the primitive: not on scissor, target or tile.
-  FixedPosition corner = outline[0];
-  for (const FixedPosition& vertex : outline) {
-    corner.x_fixed = std::min(corner.x_fixed, vertex.x_fixed);
-    corner.y_fixed = std::min(corner.y_fixed, vertex.y_fixed);
-  }
-  const PixelRect& limits = draw.viewport_pixels;
-  const int32_t anchor_x = std::clamp(corner.x_fixed >> draw.subpixel_bits, limits.left, limits.right);
-  const int32_t anchor_y = std::clamp(corner.y_fixed >> draw.subpixel_bits, limits.top, limits.bottom);
+  const auto [anchor_x, anchor_y] = plane_anchor(draw, outline);
   const RasterState& state = draw.input.state;
   const DepthTransform depth = depth_transform(state);
   const std::array<ClipPosition, 3> positions{positions_clip[vertices[0]], positions_clip[vertices[1]],

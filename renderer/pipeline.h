@@ -8,9 +8,11 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "cases/model/result.h"
+#include "renderer/big_array.h"
 #include "renderer/prepared_draw.h"
 #include "renderer/shade_tile.h"
 #include "renderer/shading.h"
@@ -20,11 +22,22 @@
 namespace fillrule::renderer {
 
 // Sets up the primitives [first, end) and sorts them into tiles.
-void build_chunk(const PreparedDraw& draw, const TileGrid& grid, const std::vector<ClipPosition>& positions_clip,
-                 const std::vector<WindowVertex>& window_vertices, uint32_t first, uint32_t end,
-                 PrimitiveChunk& chunk);
+void build_chunk(const PreparedDraw& draw, const TileGrid& grid, std::span<const ClipPosition> positions_clip,
+                 std::span<const WindowVertex> window_vertices, uint32_t first, uint32_t end, PrimitiveChunk& chunk);
 
-// Draws. The order of submission holds for any number of threads, and the result is the same to the byte.
+namespace internal {
+
+// Of a thread that draws.
+struct DrawMemory {
+  BigArray<ClipPosition> positions_clip;
+  BigArray<WindowVertex> window_vertices;
+  BigArray<SetupPrimitive> primitives;
+};
+
+}  // namespace internal
+
+// Draws; a program must not. The order of submission holds for any number of threads, and the result is the same to
+// the byte.
 template <Program P>
 Result<void> draw(const DrawInput& input, const P& program, const Options& options) {
   const Result<PreparedDraw> prepared = prepare_draw(input, options);
@@ -40,8 +53,9 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   // Step 1: the vertices.
   constexpr uint32_t kVerticesAtOnce = 4096;
   constexpr size_t kCostOfVertex = 10;
-  std::vector<ClipPosition> positions_clip(input.vertices.vertex_count);
-  std::vector<WindowVertex> window_vertices(input.vertices.vertex_count);
+  static thread_local internal::DrawMemory memory;
+  const std::span<ClipPosition> positions_clip = memory.positions_clip.room_for(input.vertices.vertex_count);
+  const std::span<WindowVertex> window_vertices = memory.window_vertices.room_for(input.vertices.vertex_count);
   const size_t vertex_runs = (size_t{input.vertices.vertex_count} + kVerticesAtOnce - 1) / kVerticesAtOnce;
   workers.parallel_for(vertex_runs, kCostOfVertex * input.vertices.vertex_count, [&](size_t run) {
     const size_t end = std::min<size_t>((run + 1) * kVerticesAtOnce, input.vertices.vertex_count);
@@ -53,12 +67,19 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
 
   // Step 2: batches of primitives, so that bins need not hold all of them: setup in chunks, then tile by tile.
   constexpr uint32_t kPrimitivesInChunk = 2048;
-  constexpr uint32_t kChunksInBatch = 16;
+  constexpr uint32_t kChunksInBatch = 64;
   constexpr size_t kCostOfSetup = 30;
   const TileGrid grid(prepared->setup.clip_pixels);
   const uint32_t primitives = prepared->assembly.count();
   const uint32_t all_chunks = (primitives - 1) / kPrimitivesInChunk + 1;
-  std::vector<PrimitiveChunk> chunks(std::min(all_chunks, kChunksInBatch));
+  const size_t room_of_chunk = size_t{prepared->parts_of_primitive()} * std::min(primitives, kPrimitivesInChunk);
+  const uint32_t chunks_at_once = std::min(all_chunks, kChunksInBatch);
+  const std::span<SetupPrimitive> room = memory.primitives.room_for(room_of_chunk * chunks_at_once);
+  std::vector<PrimitiveChunk> chunks;
+  chunks.reserve(chunks_at_once);
+  for (uint32_t chunk = 0; chunk < chunks_at_once; ++chunk) {
+    chunks.emplace_back(room.subspan(chunk * room_of_chunk, room_of_chunk));
+  }
   for (uint32_t first_chunk = 0; first_chunk < all_chunks; first_chunk += kChunksInBatch) {
     const uint32_t batch_chunks = std::min(kChunksInBatch, all_chunks - first_chunk);
     workers.parallel_for(batch_chunks, kCostOfSetup * kPrimitivesInChunk * batch_chunks, [&](size_t chunk) {

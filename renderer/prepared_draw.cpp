@@ -164,6 +164,30 @@ void set_up_samples(PreparedDraw& prepared) {
   }
 }
 
+// Spans are for filled triangles whose pixels have one sample, or four that share their fragments.
+void set_up_spans(PreparedDraw& prepared) {
+  const DrawInput& input = prepared.input;
+  const bool has_spans = prepared.coverage_rule.fill == Fill::kEdgeFunction &&
+                         (input.samples == 1 || (input.samples == 4 && !input.sample_shading));
+  if (!has_spans) {
+    return;
+  }
+  prepared.span_pixels = prepared.setup.clip_pixels;
+  for (const SampleArea& sample : prepared.samples()) {
+    prepared.span_pixels = intersection(prepared.span_pixels, sample.pixels);
+  }
+  prepared.run_sample_bits = 0;
+  for (uint32_t i = 0; i < kBlockSize * input.samples; ++i) {
+    prepared.run_sample_bits |= (input.state.sample_mask >> i % input.samples & 1U) << i;
+  }
+  for (uint32_t i = 0; i < kBlockSize; ++i) {
+    const FixedPosition& sample = prepared.sample_areas[i % input.samples].sample_fixed;
+    prepared.span_samples.x_fixed[i] = sample.x_fixed;
+    prepared.span_samples.y_fixed[i] =
+        sample.y_fixed + (static_cast<int32_t>(i / input.samples) << prepared.subpixel_bits);
+  }
+}
+
 }  // namespace
 
 Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options) {
@@ -190,6 +214,7 @@ Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options
                                   .line_mode = state.line_mode,
                                   .line_width = state.line_width}};
   set_up_samples(prepared);
+  set_up_spans(prepared);
   return prepared;
 }
 

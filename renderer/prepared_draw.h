@@ -67,10 +67,21 @@ struct PreparedDraw {
   std::array<double, size_t{kMaxSamples} * kBlockSize> sample_offsets_x;
   std::array<double, size_t{kMaxSamples} * kBlockSize> sample_offsets_y;
 
+  // The pixels in which a small triangle is covered by spans: those in which fragments may land on any of the
+  // samples. None for draws that have no spans.
+  PixelRect span_pixels;
+  SpanSamples span_samples;
+  uint32_t run_sample_bits;  // of a run's samples those in the sample mask
+
   [[nodiscard]] WindowVertex window_vertex(uint32_t vertex, const ClipPosition& pos_clip) const {
     WindowVertex window_vertex = setup.transform.window_vertex(pos_clip);
     add_user_distances(input.clip_distances.of(vertex), input.cull_distances.of(vertex), window_vertex);
     return window_vertex;
+  }
+
+  // Into how many that are drawn a primitive may fall: outlined or as points, a polygon has three.
+  [[nodiscard]] uint32_t parts_of_primitive() const {
+    return shape != Shape::kPolygon && is_polygon_topology(input.vertices.topology) ? 3 : 1;
   }
 
   [[nodiscard]] std::span<const SampleArea> samples() const { return {sample_areas.data(), input.samples}; }

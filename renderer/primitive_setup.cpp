@@ -79,7 +79,8 @@ std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const Asse
     return std::nullopt;
   }
   if (polygon->clipped.count == 0) {
-    return setup_whole_triangle(state, triangle.number, triangle.indices, polygon->vertices);
+    SetupPrimitive whole{.vertices = polygon->vertices, .indices = triangle.indices, .primitive = triangle.number};
+    return setup_whole_triangle(state, whole) ? std::optional(whole) : std::nullopt;
   }
   const PixelRect bounds = intersection(bounding_pixels(state, polygon->outline()), state.clip_pixels);
   if (bounds.empty() || !area(polygon->outline()).has_pieces) {
@@ -98,10 +99,8 @@ std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const Asse
   return filled;
 }
 
-std::optional<SetupPrimitive> setup_whole_triangle(const SetupState& state, uint32_t number,
-                                                   const std::array<uint32_t, 3>& indices,
-                                                   const std::array<FixedPosition, 3>& vertices) {
-  const auto& [a, b, c] = vertices;
+bool setup_whole_triangle(const SetupState& state, SetupPrimitive& filled) {
+  const auto& [a, b, c] = filled.vertices;
   const uint32_t bits = state.transform.subpixel_bits();
   const auto first = [bits](int32_t coordinate, int32_t sample) { return first_pixel(coordinate, sample, bits); };
   const PixelRect outline_pixels{
@@ -110,17 +109,14 @@ std::optional<SetupPrimitive> setup_whole_triangle(const SetupState& state, uint
       first(std::max(std::max(a.x_fixed, b.x_fixed), c.x_fixed), state.least_sample.x_fixed),
       first(std::max(std::max(a.y_fixed, b.y_fixed), c.y_fixed), state.least_sample.y_fixed)};
   const PixelRect bounds = intersection(outline_pixels, state.clip_pixels);
-  if (bounds.empty()) {
-    return std::nullopt;
-  }
   const int64_t doubled = doubled_area(a, b, c);
   const std::optional<bool> front_facing = facing(state, doubled);
-  if (doubled == 0 || !front_facing) {
-    return std::nullopt;
+  if (bounds.empty() || doubled == 0 || !front_facing) {
+    return false;
   }
-  SetupPrimitive filled{.vertices = vertices, .indices = indices, .primitive = number, .front_facing = *front_facing};
+  filled.front_facing = *front_facing;
   filled.set_bounds(bounds);
-  return filled;
+  return true;
 }
 
 }  // namespace fillrule::renderer

@@ -115,9 +115,8 @@ std::optional<bool> facing(const SetupState& state, const VisiblePolygon& polygo
 std::optional<SetupPrimitive> setup_triangle(const SetupState& state, const AssembledPrimitive& triangle,
                                              std::vector<FixedPosition>& polygon_vertices);
 
-// The same of a triangle that is all within the clip volume and is not dropped by the user's distances.
-std::optional<SetupPrimitive> setup_whole_triangle(const SetupState& state, uint32_t number,
-                                                   const std::array<uint32_t, 3>& indices,
-                                                   const std::array<FixedPosition, 3>& vertices);
+// The same of a triangle that is all within the clip volume and is not dropped by the user's distances, in place:
+// `filled` has its vertices. False if it covers no sample for sure.
+[[nodiscard]] bool setup_whole_triangle(const SetupState& state, SetupPrimitive& filled);
 
 }  // namespace fillrule::renderer

@@ -2,6 +2,7 @@
 // the fragment program (Vulkan, "Fragment Operations", "Sample Shading").
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <concepts>
@@ -98,9 +99,26 @@ concept ColorProgram = PrimitiveProgram<P> &&
 template <typename P>
 concept Program = FragmentProgram<P> || ColorProgram<P>;
 
+// The pixel at which the planes of a primitive are anchored. It must not depend on what does not belong to the
+// primitive: not on scissor, target or tile.
+struct PlaneAnchor {
+  int32_t x = 0;
+  int32_t y = 0;
+};
+inline PlaneAnchor plane_anchor(const PreparedDraw& draw, std::span<const FixedPosition> outline) {
+  FixedPosition corner = outline[0];
+  for (const FixedPosition& vertex : outline) {
+    corner.x_fixed = std::min(corner.x_fixed, vertex.x_fixed);
+    corner.y_fixed = std::min(corner.y_fixed, vertex.y_fixed);
+  }
+  const PixelRect& limits = draw.viewport_pixels;
+  return {std::clamp(corner.x_fixed >> draw.subpixel_bits, limits.left, limits.right),
+          std::clamp(corner.y_fixed >> draw.subpixel_bits, limits.top, limits.bottom)};
+}
+
 // The plane equations of a primitive that was set up.
 PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,
-                                          const std::vector<ClipPosition>& positions_clip,
+                                          std::span<const ClipPosition> positions_clip,
                                           std::span<const FixedPosition> outline);
 
 }  // namespace fillrule::renderer

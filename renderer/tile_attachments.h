@@ -1,8 +1,8 @@
 // The part of the attachments that one tile owns, block by block, while it is drawn.
 //
 // Rows of a wide attachment are so far apart that those of one tile fall on the same few lines of a cache. So a
-// block's values are copied out when it is first touched and back when the tile is done; in between they lie side by
-// side, and no row of lanes can reach beyond the target.
+// block's values are copied out when it is first touched and back when the tile is done; in between the tile's rows
+// follow each other, and no row of lanes can reach beyond the target.
 #pragma once
 
 #include <algorithm>
@@ -20,8 +20,8 @@ namespace fillrule::renderer::internal {
 
 class TileAttachments {
  public:
-  // A block's values: (y * kBlockSize + x) * samples + sample, from its first pixel. Only of attachments in use.
-  struct Block {
+  // The values from some pixel of the tile on: (y * kTileSize + x) * samples + sample. Only of attachments in use.
+  struct Values {
     float* depths;
     uint32_t* colors;
   };
@@ -34,7 +34,8 @@ class TileAttachments {
 
   TileAttachments(const PreparedDraw& draw, const PixelRect& tile_pixels, Storage& storage)
       : input_(draw.input), left_(tile_pixels.left), top_(tile_pixels.top), uses_depth_(draw.depth.tests()) {
-    const size_t values = size_t{kTileSize} * kTileSize * input_.samples;
+    // A run of pixels may begin in the tile's last one.
+    const size_t values = (size_t{kTileSize} * kTileSize + kBlockSize) * input_.samples;
     if (uses_depth_ && storage.depths.size() < values) {
       storage.depths.resize(values);
     }
@@ -45,42 +46,69 @@ class TileAttachments {
     colors_ = storage.colors.data();
   }
 
-  [[gnu::always_inline]] Block block(int32_t x, int32_t y) {
-    const auto number = static_cast<uint32_t>((y - top_) / kBlockSize * kBlocksInRow + (x - left_) / kBlockSize);
-    const size_t first = size_t{number} * kBlockSize * kBlockSize * input_.samples;
-    const Block block = block_from(first);
-    if ((loaded_ >> number & 1U) == 0) {
-      loaded_ |= uint64_t{1} << number;
-      copy<false>(x, y, block);
-    }
-    return block;
+  // From a pixel whose block was loaded.
+  [[nodiscard, gnu::always_inline]] Values at(int32_t x, int32_t y) const {
+    const auto pixel = static_cast<size_t>((y - top_) * kTileSize + (x - left_));
+    const size_t first = pixel * input_.samples;
+    return {depths_ == nullptr ? nullptr : depths_ + first, colors_ == nullptr ? nullptr : colors_ + first};
+  }
+
+  // From a block's first pixel, loaded.
+  [[gnu::always_inline]] Values block(int32_t x, int32_t y) {
+    load(uint64_t{1} << block_number(x, y));
+    return at(x, y);
+  }
+
+  // The blocks that a rectangle touches.
+  [[gnu::always_inline]] void load(const PixelRect& rect) {
+    const auto first = block_number(rect.left, rect.top);
+    const auto last = block_number(rect.right - 1, rect.bottom - 1);
+    constexpr uint64_t kFirstColumn = 0x0101010101010101U;
+    const uint64_t columns = (2U << last % kBlocksInRow) - (1U << first % kBlocksInRow);
+    const uint64_t rows = (kFirstColumn << (first & ~(kBlocksInRow - 1))) & (~uint64_t{0} >> (63U - last));
+    load(columns * rows);
   }
 
   // What was drawn, to the attachments.
   void store() {
     for (uint64_t rest = loaded_; rest != 0; rest &= rest - 1) {
-      const int32_t number = std::countr_zero(rest);
-      const size_t first = static_cast<size_t>(number) * kBlockSize * kBlockSize * input_.samples;
-      copy<true>(left_ + number % kBlocksInRow * kBlockSize, top_ + number / kBlocksInRow * kBlockSize,
-                 block_from(first));
+      copy<true>(static_cast<uint32_t>(std::countr_zero(rest)));
     }
   }
 
  private:
-  static constexpr int32_t kBlocksInRow = kTileSize / kBlockSize;
+  static constexpr uint32_t kBlocksInRow = kTileSize / kBlockSize;
+  static_assert(kBlocksInRow == 8, "a tile's blocks are the bits of a word");
 
-  [[nodiscard]] Block block_from(size_t first) const {
-    return {depths_ == nullptr ? nullptr : depths_ + first, colors_ == nullptr ? nullptr : colors_ + first};
+  [[nodiscard, gnu::always_inline]] uint32_t block_number(int32_t x, int32_t y) const {
+    return static_cast<uint32_t>((y - top_) / kBlockSize) * kBlocksInRow +
+           static_cast<uint32_t>((x - left_) / kBlockSize);
+  }
+
+  [[gnu::always_inline]] void load(uint64_t blocks) {
+    if ((blocks & ~loaded_) != 0) {
+      load_missing(blocks & ~loaded_);
+    }
+  }
+
+  [[gnu::noinline]] void load_missing(uint64_t blocks) {
+    loaded_ |= blocks;
+    for (; blocks != 0; blocks &= blocks - 1) {
+      copy<false>(static_cast<uint32_t>(std::countr_zero(blocks)));
+    }
   }
 
   // A block's pixels that are in the target; to the attachments or from them.
   template <bool kStore>
-  void copy(int32_t x, int32_t y, const Block& block) const {
+  void copy(uint32_t number) const {
+    const int32_t x = left_ + static_cast<int32_t>(number % kBlocksInRow) * kBlockSize;
+    const int32_t y = top_ + static_cast<int32_t>(number / kBlocksInRow) * kBlockSize;
+    const Values values = at(x, y);
     if (uses_depth_) {
-      copy_rows<kStore>(x, y, block.depths, input_.depth.values);
+      copy_rows<kStore>(x, y, values.depths, input_.depth.values);
     }
     if (!input_.color.values.empty()) {
-      copy_rows<kStore>(x, y, block.colors, input_.color.values);
+      copy_rows<kStore>(x, y, values.colors, input_.color.values);
     }
   }
 
@@ -92,7 +120,7 @@ class TileAttachments {
     const size_t rows = std::min<size_t>(kBlockSize, input_.target_height - static_cast<size_t>(y));
     const size_t count = std::min<size_t>(kBlockSize, width - column) * samples;
     T* values = attachment.data() + (static_cast<size_t>(y) * width + column) * samples;
-    for (size_t row = 0; row < rows; ++row, values += width * samples, block += kBlockSize * samples) {
+    for (size_t row = 0; row < rows; ++row, values += width * samples, block += kTileSize * samples) {
       if (count == kBlockSize) {
         copy_values<kStore>(block, values, kBlockSize);  // of a size that the compiler knows
       } else {

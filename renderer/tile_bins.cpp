@@ -13,30 +13,31 @@ PixelRect TileGrid::pixels(uint32_t tile) const {
   return {left, top, left + kTileSize, top + kTileSize};
 }
 
-PixelRect TileGrid::tiles(const PixelRect& pixels) const {
-  return {pixels.left / kTileSize - tiles_.left, pixels.top / kTileSize - tiles_.top,
-          (pixels.right - 1) / kTileSize + 1 - tiles_.left, (pixels.bottom - 1) / kTileSize + 1 - tiles_.top};
-}
-
 void PrimitiveChunk::clear() {
-  primitives_.clear();
+  count_ = 0;
   polygon_vertices_.clear();
   bin_entries_.clear();
   large_.clear();
 }
 
-size_t PrimitiveChunk::cost() const {
-  constexpr size_t kCostOfPrimitive = 64;
-  size_t sum = 0;
-  for (const SetupPrimitive& primitive : primitives_) {
-    const PixelRect bounds = primitive.bounds();
-    sum += static_cast<size_t>(bounds.width()) * static_cast<size_t>(bounds.height()) + kCostOfPrimitive;
+void PrimitiveChunk::append_to(std::vector<TileEntry>& entries, uint32_t tile) const {
+  const auto append = [&](uint32_t index) { entries.push_back({&room_[index], &polygon_vertices_}); };
+  auto next_large = large_.begin();
+  for (uint32_t i = bin_begins_[tile]; i < bin_begins_[tile + 1]; ++i) {
+    for (; next_large != large_.end() && *next_large < bin_entries_[i]; ++next_large) {
+      append(*next_large);
+    }
+    append(bin_entries_[i]);
   }
-  return sum;
+  std::for_each(next_large, large_.end(), append);
 }
 
 void PrimitiveChunk::sort_into(const TileGrid& grid) {
   const auto for_each_tile = [&](const PixelRect& tiles, const auto& visit) {
+    if (tiles.width() == 1 && tiles.height() == 1) {
+      visit(grid.index(tiles.left, tiles.top));
+      return;
+    }
     for (int32_t row = tiles.top; row < tiles.bottom; ++row) {
       for (int32_t column = tiles.left; column < tiles.right; ++column) {
         visit(grid.index(column, row));
@@ -48,9 +49,14 @@ void PrimitiveChunk::sort_into(const TileGrid& grid) {
   };
 
   // Step 1: the size of each bin.
+  constexpr size_t kCostOfPrimitive = 64;
+  const std::span<const SetupPrimitive> primitives = this->primitives();
+  cost_ = kCostOfPrimitive * primitives.size();
   bin_begins_.assign(grid.count() + 1, 0);
-  for (uint32_t i = 0; i < primitives_.size(); ++i) {
-    const PixelRect tiles = grid.tiles(primitives_[i].bounds());
+  for (uint32_t i = 0; i < primitives.size(); ++i) {
+    const PixelRect bounds = primitives[i].bounds();
+    cost_ += static_cast<size_t>(bounds.width()) * static_cast<size_t>(bounds.height());
+    const PixelRect tiles = grid.tiles(bounds);
     if (is_large(tiles)) {
       large_.push_back(i);
     } else {
@@ -64,8 +70,8 @@ void PrimitiveChunk::sort_into(const TileGrid& grid) {
     begin = sum;
   }
   bin_entries_.resize(sum);
-  for (auto i = static_cast<uint32_t>(primitives_.size()); i-- > 0;) {
-    const PixelRect tiles = grid.tiles(primitives_[i].bounds());
+  for (auto i = static_cast<uint32_t>(primitives.size()); i-- > 0;) {
+    const PixelRect tiles = grid.tiles(primitives[i].bounds());
     if (!is_large(tiles)) {
       for_each_tile(tiles, [&](uint32_t tile) { bin_entries_[--bin_begins_[tile]] = i; });
     }

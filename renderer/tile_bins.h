@@ -20,7 +20,11 @@ class TileGrid {
   [[nodiscard]] uint32_t count() const { return static_cast<uint32_t>(tiles_.width() * tiles_.height()); }
   [[nodiscard]] PixelRect pixels(uint32_t tile) const;
   // In tiles from the grid's first one; `pixels` must be within the grid's and not be empty.
-  [[nodiscard]] PixelRect tiles(const PixelRect& pixels) const;
+  [[nodiscard]] PixelRect tiles(const PixelRect& pixels) const {
+    const auto tile = [](int32_t pixel) { return static_cast<int32_t>(static_cast<uint32_t>(pixel) / kTileSize); };
+    return {tile(pixels.left) - tiles_.left, tile(pixels.top) - tiles_.top, tile(pixels.right - 1) + 1 - tiles_.left,
+            tile(pixels.bottom - 1) + 1 - tiles_.top};
+  }
   [[nodiscard]] uint32_t index(int32_t column, int32_t row) const {
     return static_cast<uint32_t>(row * tiles_.width() + column);
   }
@@ -29,66 +33,47 @@ class TileGrid {
   PixelRect tiles_;
 };
 
-// Goes through the primitives that may touch a tile, in the order of submission.
-class TileEntries {
- public:
-  TileEntries(std::span<const SetupPrimitive> primitives, std::span<const uint32_t> binned,
-              std::span<const uint32_t> large)
-      : primitives_(primitives.data()), binned_(binned), large_(large) {}
-
-  // The one that many after the next, as far as bins tell; null if they do not.
-  [[nodiscard]] const SetupPrimitive* ahead(size_t count) const {
-    return count < binned_.size() ? primitives_ + binned_[count] : nullptr;
-  }
-
-  // Null after the last.
-  const SetupPrimitive* next() {
-    if (binned_.empty() && large_.empty()) {
-      return nullptr;
-    }
-    std::span<const uint32_t>& list =
-        large_.empty() || (!binned_.empty() && binned_.front() < large_.front()) ? binned_ : large_;
-    const uint32_t first = list.front();
-    list = list.subspan(1);
-    return primitives_ + first;
-  }
-
- private:
-  const SetupPrimitive* primitives_;
-  std::span<const uint32_t> binned_;
-  std::span<const uint32_t> large_;
+// A primitive of a chunk that may touch a tile.
+struct TileEntry {
+  const SetupPrimitive* primitive;
+  const std::vector<FixedPosition>* polygon_vertices;  // of its chunk
 };
 
 // A run of consecutive primitives, set up and sorted into tiles.
 class PrimitiveChunk {
  public:
+  // `room`: for all primitives that it will hold at once.
+  explicit PrimitiveChunk(std::span<SetupPrimitive> room) : room_(room) {}
+
   void clear();
 
   // Room for outlines that are no triangles.
   [[nodiscard]] std::vector<FixedPosition>& polygon_vertices() { return polygon_vertices_; }
   [[nodiscard]] const std::vector<FixedPosition>& polygon_vertices() const { return polygon_vertices_; }
 
-  void add(const SetupPrimitive& primitive) { primitives_.push_back(primitive); }
+  SetupPrimitive& append() { return room_[count_++] = {}; }
+  void drop_last() { --count_; }
   void sort_into(const TileGrid& grid);
 
-  // An estimate: the areas of the bounding boxes in pixels, some more for each primitive.
-  [[nodiscard]] size_t cost() const;
+  // An estimate, once it is sorted: the areas of the bounding boxes in pixels, some more for each primitive.
+  [[nodiscard]] size_t cost() const { return cost_; }
 
-  // The primitives that may touch the tile.
-  [[nodiscard]] TileEntries entries(uint32_t tile) const {
-    return {primitives_,
-            std::span(bin_entries_).subspan(bin_begins_[tile], bin_begins_[tile + 1] - bin_begins_[tile]), large_};
-  }
+  // Appends the primitives that may touch the tile, in the order of submission.
+  void append_to(std::vector<TileEntry>& entries, uint32_t tile) const;
 
  private:
   // A primitive in more tiles than this is looked at by every tile; so bins stay small.
   static constexpr uint32_t kMaxTilesInBins = 16;
 
-  std::vector<SetupPrimitive> primitives_;
+  [[nodiscard]] std::span<const SetupPrimitive> primitives() const { return room_.first(count_); }
+
+  std::span<SetupPrimitive> room_;
+  uint32_t count_ = 0;
   std::vector<FixedPosition> polygon_vertices_;
   std::vector<uint32_t> bin_begins_;   // tile by tile, and the end of the last
-  std::vector<uint32_t> bin_entries_;  // indices of primitives_, ascending within a tile
+  std::vector<uint32_t> bin_entries_;  // indices of primitives, ascending within a tile
   std::vector<uint32_t> large_;        // likewise, those in no bin
+  size_t cost_ = 0;
 };
 
 }  // namespace fillrule::renderer

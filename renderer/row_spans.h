@@ -1,0 +1,239 @@
+// Coverage of small triangles by spans: on a row of pixels each edge is inside from some pixel on, or up to one, and
+// what all three leave is cut into runs of eight pixels. That asks fewer pixels in vain than blocks (edge_fill.h) do.
+//
+// An edge whose value (edge_function.h) on a row's first pixel is E and changes by s from pixel to pixel is inside
+// where x >= q, q = -E / s, if s > 0, and where x <= q if s < 0. float32 says exactly which pixels those are:
+//   - A triangle is small if its corners are less than 2^13 subpixels apart. Then |s| < 2^13 and, with 4 subpixel
+//   bits
+//     or more, |E| < 2^24, so both are exact.
+//   - q is computed as a product with a rounded reciprocal: it is wrong by less than 2^-23 |q|, which within a tile,
+//     |q| <= 64, is 2^-17; the sum with a constant that follows adds 2^-18. All is less than 2^-16.
+//   - q is whole or at least 1 / |s| > 2^-13 away from any whole number. So 2^-15, by which it is moved to the side
+//     where a whole q is not rounded away, moves it beyond no whole number else.
+// Further away than a tile only the order counts, which rounding keeps.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <utility>
+
+#include "renderer/coverage.h"
+#include "renderer/edge_function.h"
+
+namespace fillrule::renderer::internal {
+
+// Eight pixels side by side, the first at (x, y). Bit kSamples * i + s: sample s of the pixel x + i.
+struct PixelRun {
+  int16_t x;
+  int16_t y;
+  uint32_t samples;
+  uint32_t primitive;  // whoever made the list knows which
+};
+
+inline constexpr int32_t kMaxSpanPixels = 32;  // of the rectangle in which a small triangle is covered, either way
+inline constexpr uint32_t kMaxRunsOfTriangle =
+    kMaxSpanPixels * kMaxSpanPixels / kBlockSize + 1;  // and one that is empty
+
+// The runs with a covered sample, of one triangle after the other.
+struct RunList {
+  std::array<PixelRun, size_t{8} * kMaxRunsOfTriangle> runs;
+  uint32_t count = 0;
+  uint32_t primitive = 0;  // of the runs that are added
+
+  [[nodiscard]] bool has_room() const { return count + kMaxRunsOfTriangle <= runs.size(); }
+};
+
+[[gnu::always_inline]] inline bool is_small(const std::array<FixedPosition, 3>& triangle, const PixelRect& rect) {
+  constexpr int32_t kSmallExtent = 1 << 13;
+  const auto& [a, b, c] = triangle;
+  const auto extent = [](int32_t p, int32_t q, int32_t r) {
+    return std::max(std::max(p, q), r) - std::min(std::min(p, q), r);
+  };
+  return rect.width() <= kMaxSpanPixels && rect.height() <= kMaxSpanPixels &&
+         std::max(extent(a.x_fixed, b.x_fixed, c.x_fixed), extent(a.y_fixed, b.y_fixed, c.y_fixed)) < kSmallExtent;
+}
+
+// One edge on as many rows as lanes hold, for one sample after the other.
+template <typename L, uint32_t kSamples>
+class SpanEdge {
+ public:
+  [[gnu::always_inline]] SpanEdge(const FixedPosition& from, const FixedPosition& to, const SpanSamples& samples,
+                                  uint32_t subpixel_bits, const PixelRect& rect) {
+    const int32_t dx = to.x_fixed - from.x_fixed;
+    const int32_t dy = to.y_fixed - from.y_fixed;
+    const auto x = L::load(samples.x_fixed.data()) + ((rect.left << subpixel_bits) - from.x_fixed);
+    const auto y = L::load(samples.y_fixed.data()) + ((rect.top << subpixel_bits) - from.y_fixed);
+    const auto value = (y * dx - x * dy - (is_top_left(dx, dy) ? 0 : 1)) >> static_cast<int32_t>(subpixel_bits);
+    value_ = L::to_float(value);
+    step_y_ = static_cast<float>(dx * static_cast<int32_t>(L::kWidth / kSamples));
+    // The sums begin with 1: what is cut off after it is rounded up.
+    constexpr float kToTheSide = 0x1p-15F;
+    constexpr float kNone = std::numeric_limits<float>::infinity();
+    // Horizontal: inside on all of a row or on nothing of it, 0 and more being inside.
+    constexpr float kBeyondRow = 4096;
+    scale_ = dy == 0 ? kBeyondRow : 1 / static_cast<float>(dy == 0 ? 1 : dy);
+    begin_ = dy < 0 ? 1 - kToTheSide : -kNone;
+    end_ = dy < 0 ? kNone : dy > 0 ? 1 + kToTheSide : kBeyondRow / 2;
+  }
+
+  // Narrows the spans of these rows to what is inside, and steps to the next rows. A span's ends have a fraction
+  // still, which is to be cut off.
+  [[gnu::always_inline]] void narrow(typename L::Float& begins, typename L::Float& ends) {
+    const typename L::Float quotient = value_ * L::all(scale_);
+    begins = L::greater(quotient + L::all(begin_), begins);
+    ends = L::lesser(quotient + L::all(end_), ends);
+    value_ = value_ + L::all(step_y_);
+  }
+
+ private:
+  typename L::Float value_;
+  float step_y_;
+  float scale_;
+  float begin_;
+  float end_;
+};
+
+// The spans of as many rows of pixels as lanes hold, lane by lane: pixels from the left of the rectangle.
+template <typename L>
+struct LaneSpans {
+  typename L::Int begins;
+  typename L::Int ends;
+};
+
+// Where runs are added.
+struct RunWriter {
+  const PixelRect& rect;
+  PixelRun* runs;
+  uint32_t count;  // kept here: what is in the list would be read again after each run
+  uint32_t primitive;
+
+  RunWriter(const PixelRect& rect_of_runs, RunList& list)
+      : rect(rect_of_runs), runs(list.runs.data()), count(list.count), primitive(list.primitive) {}
+
+  // At a pixel and a row of the rectangle; not if there is nothing.
+  [[gnu::always_inline]] void add(int32_t column, int32_t row, uint32_t samples) {
+    runs[count] = {static_cast<int16_t>(rect.left + column), static_cast<int16_t>(rect.top + row), samples,
+                   primitive};
+    count += samples != 0 ? 1 : 0;
+  }
+};
+
+// Of one sample: from the first pixel of each span, and so many on, the runs of as many rows as there are lanes.
+template <typename L>
+[[gnu::always_inline]] inline void add_runs(const LaneSpans<L>& spans, int32_t first_row, int32_t first_pixel,
+                                            RunWriter& writer) {
+  const int32_t rows = writer.rect.height() - first_row;
+  const auto begins = spans.begins + first_pixel;
+  const auto lengths = L::to_float(spans.ends - begins);
+  const auto limited = L::lesser(L::greater(lengths, L::all(0.0F)), L::all(float{kBlockSize}));
+  const auto in_rect = L::to_float(L::numbers()) < L::all(static_cast<float>(rows));
+  std::array<int32_t, L::kWidth> columns;
+  std::array<int32_t, L::kWidth> counts;
+  L::store(begins, columns.data());
+  L::store(L::truncated(in_rect ? limited : L::all(0.0F)), counts.data());
+  // Some at a time, so that how often a loop runs is seldom guessed wrong; those too many are empty.
+  constexpr int32_t kRowsAtOnce = std::min<int32_t>(L::kWidth, 4);
+  for (int32_t some = 0; some < std::min(static_cast<int32_t>(L::kWidth), rows); some += kRowsAtOnce) {
+    for (int32_t row = some; row < some + kRowsAtOnce; ++row) {
+      const auto lane = static_cast<size_t>(row);
+      writer.add(columns[lane], first_row + row, (1U << counts[lane]) - 1);
+    }
+  }
+}
+
+// Spans that were kept, row by row and sample by sample.
+template <uint32_t kSamples>
+struct RowSpans {
+  using Values = std::array<int32_t, size_t{kMaxSpanPixels + kBlockSize} * kSamples>;
+  Values begins;
+  Values ends;
+  Values firsts;  // the least beginning of a row's samples; not of one
+};
+
+// Of several samples the same, row by row.
+template <typename L, uint32_t kSamples>
+[[gnu::always_inline]] inline void add_runs(const RowSpans<kSamples>& spans, int32_t first_pixel, RunWriter& writer) {
+  constexpr uint32_t kVectors = kBlockSize * kSamples / L::kWidth;
+  constexpr auto kPixelsInVector = static_cast<int32_t>(L::kWidth / kSamples);
+  const auto pixels = L::template repeated<kSamples, 0>(L::numbers());
+  for (int32_t row = 0; row < writer.rect.height(); ++row) {
+    const size_t first = static_cast<size_t>(row) * kSamples;
+    const int32_t column = spans.firsts[first] + first_pixel;
+    const auto begins = L::template load_each<kSamples>(spans.begins.data() + first);
+    const auto ends = L::template load_each<kSamples>(spans.ends.data() + first);
+    uint32_t covered = 0;
+    for (uint32_t vector = 0; vector < kVectors; ++vector) {
+      const auto at = pixels + (column + static_cast<int32_t>(vector) * kPixelsInVector);
+      covered |= L::bits_of((at >= begins) & (at < ends)) << (vector * L::kWidth);
+    }
+    writer.add(column, row, covered);
+  }
+}
+
+// Adds the runs of a triangle with positive area.
+template <typename L, uint32_t kSamples>
+[[gnu::always_inline]] inline void add_spans(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c,
+                                             const SpanSamples& samples, uint32_t subpixel_bits, RunWriter& writer) {
+  const PixelRect& rect = writer.rect;
+  SpanEdge<L, kSamples> edge0(a, b, samples, subpixel_bits, rect);
+  SpanEdge<L, kSamples> edge1(b, c, samples, subpixel_bits, rect);
+  SpanEdge<L, kSamples> edge2(c, a, samples, subpixel_bits, rect);
+  const auto width = L::all(static_cast<float>(rect.width()));
+  auto longest = L::all(0.0F);
+  RowSpans<kSamples> kept;
+  constexpr auto kRows = static_cast<int32_t>(L::kWidth / kSamples);
+  for (int32_t row = 0; row < rect.height(); row += kRows) {
+    auto begins = L::all(0.0F);
+    auto ends = width;
+    edge0.narrow(begins, ends);
+    edge1.narrow(begins, ends);
+    edge2.narrow(begins, ends);
+    // Within the row, so that an empty span ends at or before its beginning but not far away.
+    const LaneSpans<L> spans{L::truncated(L::lesser(begins, width)), L::truncated(L::greater(ends, L::all(0.0F)))};
+    const size_t first = static_cast<size_t>(row) * kSamples;
+    L::store(spans.begins, kept.begins.data() + first);
+    L::store(spans.ends, kept.ends.data() + first);
+    const auto firsts = L::template least_of_each<kSamples>(L::to_float(spans.begins));
+    const auto lasts = L::template greatest_of_each<kSamples>(L::to_float(spans.ends));
+    longest = L::greater(lasts - firsts, longest);
+    if constexpr (kSamples == 1) {
+      add_runs<L>(spans, row, 0, writer);
+    } else {
+      L::store(L::truncated(firsts), kept.firsts.data() + first);
+    }
+  }
+  if constexpr (kSamples > 1) {
+    add_runs<L, kSamples>(kept, 0, writer);
+  }
+  for (int32_t pixel = kBlockSize; pixel < rect.width() && L::any(longest > L::all(static_cast<float>(pixel)));
+       pixel += kBlockSize) {
+    if constexpr (kSamples == 1) {
+      for (int32_t row = 0; row < rect.height(); row += kRows) {
+        add_runs<L>({L::load(kept.begins.data() + row), L::load(kept.ends.data() + row)}, row, pixel, writer);
+      }
+    } else {
+      add_runs<L, kSamples>(kept, pixel, writer);
+    }
+  }
+}
+
+// Adds the covered samples of a small triangle, positively oriented or not, within the rectangle.
+template <typename L, uint32_t kSamples>
+[[gnu::always_inline]] inline void cover_small(const std::array<FixedPosition, 3>& triangle,
+                                               const SpanSamples& samples, uint32_t subpixel_bits,
+                                               const PixelRect& rect, RunList& list) {
+  const auto& [a, b, c] = triangle;
+  const int64_t area = doubled_area(a, b, c);
+  if (area == 0) {
+    return;
+  }
+  const FixedPosition second{area > 0 ? b.x_fixed : c.x_fixed, area > 0 ? b.y_fixed : c.y_fixed};
+  const FixedPosition third{area > 0 ? c.x_fixed : b.x_fixed, area > 0 ? c.y_fixed : b.y_fixed};
+  RunWriter writer(rect, list);
+  add_spans<L, kSamples>(a, second, third, samples, subpixel_bits, writer);
+  list.count = writer.count;
+}
+
+}  // namespace fillrule::renderer::internal
