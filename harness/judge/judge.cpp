@@ -109,11 +109,14 @@ class CaseJudge {
     size_t first = begin;
     for (size_t index = begin; index < end; ++index) {
       const std::optional<Landed> here = certain_landing(index);
-      if (here != top || !here) {
-        judge_top(verdict, top, first, index);
-        top = here;
-        first = index;
-      }
+      if (here && here == top) continue;
+      judge_top(verdict, top, first, index);
+      top = here;
+      first = index;
+      if (here) continue;
+      // At once: what is possible here has just been worked out.
+      judge_top(verdict, here, index, index + 1);
+      first = index + 1;
     }
     judge_top(verdict, top, first, end);
   }
