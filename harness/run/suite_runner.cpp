@@ -44,14 +44,14 @@ struct SuiteRunner::State {
     return drawn;
   }
 
-  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, const judge::Oracle& oracle,
+  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, const scene::KnownCase& known,
                                                                const ReferenceDrawing& drawn) const {
     if (!has_colors(test_case)) return std::nullopt;
     const scene::PaintingParty candidate_party{candidate.paint, candidate.subpixel_bits};
-    if (!drawn.colors) return scene::check_scene(test_case, *assets, candidate_party, nullptr, &oracle);
+    if (!drawn.colors) return scene::check_scene(test_case, *assets, candidate_party, nullptr, known);
     const scene::PaintingParty reference_party{scene::painted_before(*drawn.colors),
                                                reference->device().subpixel_bits};
-    return scene::check_scene(test_case, *assets, candidate_party, &reference_party, &oracle);
+    return scene::check_scene(test_case, *assets, candidate_party, &reference_party, known);
   }
 
   [[nodiscard]] judge::Oracle ask_oracle(const Case& test_case, bool with_reference) const {
@@ -69,6 +69,12 @@ struct SuiteRunner::State {
     const judge::Party reference_party{.planes = reference_planes,
                                        .subpixel_bits = reference->device().subpixel_bits};
     return judge::judge(test_case, oracle, candidate_party, &reference_party, settings);
+  }
+
+  // What check_colors() need not find out again.
+  static scene::KnownCase known_of(const judge::Oracle& oracle, const Planes& candidate,
+                                   const judge::CaseVerdict& verdict) {
+    return {.oracle = &oracle, .faultless = verdict.candidate_faults() == 0 ? &candidate : nullptr};
   }
 
   // Whether the candidate can draw the case and the oracle judge it.
@@ -106,7 +112,8 @@ struct SuiteRunner::State {
           *planes);
       timing.check_seconds += stopwatch.lap();
     }
-    if (std::optional<judge::CheckResult> colors = check_colors(test_case, oracle, drawn)) {
+    if (std::optional<judge::CheckResult> colors =
+            check_colors(test_case, known_of(oracle, *planes, result.verdict), drawn)) {
       result.checks.push_back(std::move(*colors));
       timing.check_seconds += stopwatch.lap();
     }
@@ -266,7 +273,8 @@ Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   const Planes* const reference = drawn.planes ? &*drawn.planes : nullptr;
   const judge::Oracle oracle = state_->ask_oracle(test_case, reference != nullptr);
   drawing.verdict = state_->judge_case(test_case, oracle, drawing.candidate, reference, true);
-  drawing.scene_colors = state_->check_colors(test_case, oracle, drawn);
+  drawing.scene_colors =
+      state_->check_colors(test_case, State::known_of(oracle, drawing.candidate, drawing.verdict), drawn);
   drawing.reference = std::move(drawn.planes);
   return drawing;
 }
