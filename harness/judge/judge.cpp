@@ -109,11 +109,14 @@ class CaseJudge {
     size_t first = begin;
     for (size_t index = begin; index < end; ++index) {
       const std::optional<Landed> here = certain_landing(index);
-      if (here != top || !here) {
-        judge_top(verdict, top, first, index);
-        top = here;
-        first = index;
-      }
+      if (here && here == top) continue;
+      judge_top(verdict, top, first, index);
+      top = here;
+      first = index;
+      if (here) continue;
+      // At once: what is possible here has just been worked out.
+      judge_top(verdict, here, index, index + 1);
+      first = index + 1;
     }
     judge_top(verdict, top, first, end);
   }
@@ -201,20 +204,22 @@ class CaseJudge {
       ++plane.counts[static_cast<size_t>(sample.verdict)];
       if (settings_.keep_maps) plane.map[index] = sample.verdict;
       if (sample.verdict <= Verdict::kPermitted) continue;
+      const exact::SamplePlace place = exact::sample_place(case_.target, index);
+      sample.x = place.x;
+      sample.y = place.y;
+      sample.sample = place.sample;
       record(plane, sample);
       if (settings_.keep_maps) keep_worst(plane.worst_samples, sample);
     }
   }
 
+  // Without the place, which few records need.
   SampleRecord judge_component(PlaneKind kind, uint32_t component, size_t index) {
     const PlaneValue candidate_value = value_of(*candidate_.party.planes, kind, component, index);
-    Standing candidate = candidate_.standing_of(kind, component, index);
+    const Standing judged = candidate_.standing_of(kind, component, index);
+    Standing candidate = judged;
     if (settings_.profile.precise && candidate.level == Class::kImprecise) candidate.level = Class::kOutside;
-    const exact::SamplePlace place = exact::sample_place(case_.target, index);
-    SampleRecord sample{.x = place.x,
-                        .y = place.y,
-                        .sample = place.sample,
-                        .candidate = candidate_value.number,
+    SampleRecord sample{.candidate = candidate_value.number,
                         .expected = candidate.expected,
                         .tolerance = candidate.tolerance,
                         .severity = candidate.severity};
@@ -223,8 +228,10 @@ class CaseJudge {
       return sample;
     }
     const PlaneValue reference_value = value_of(*reference_->party.planes, kind, component, index);
-    const Standing reference = reference_->standing_of(kind, component, index);
     const bool equal_bits = candidate_value.bits == reference_value.bits;
+    const Standing reference = equal_bits && stand_alike(candidate_, *reference_, kind, index)
+                                   ? judged
+                                   : reference_->standing_of(kind, component, index);
     if (!equal_bits && !reference.outside() && must_have_same_bits(kind, index)) candidate.level = Class::kOutside;
     sample.reference = reference_value.number;
     sample.verdict = combine(candidate, &reference, equal_bits);

@@ -180,6 +180,20 @@ TEST(Judge, AWrongOwnerIsToldFromAnOpenOne) {
   EXPECT_EQ(judge_pair(test_case, right, other, {.top_left = true}).reference_faults(), 0U);
 }
 
+// The same value is right for one owner and wrong for the other.
+TEST(Judge, EqualValuesOfDifferentOwnersDoNotStandAlike) {
+  Case test_case = square();
+  constexpr size_t kIdOfSecondTriangle = size_t{3} * 3 + 2;
+  test_case.draws[0].varyings[kIdOfSecondTriangle] = 20;
+  const Planes right = perfect(test_case);
+  Planes other = right;
+  other.owner[index_of(7, 8)] ^= 1U;  // on the diagonal either triangle may own the sample
+  const CaseVerdict verdict = judge_pair(test_case, right, other);
+  EXPECT_EQ(plane(verdict, "id").reference_faults(), 1U);
+  EXPECT_EQ(plane(verdict, "owner").reference_faults(), 0U);
+  EXPECT_EQ(verdict.candidate_faults(), 0U);
+}
+
 // Lavapipe finds the facing of unclipped triangles before it rounds positions if another triangle of the draw is
 // clipped, and after it otherwise.
 TEST(Judge, SameBitsAreNotAskedForWhereRoundingMayCullATriangle) {

@@ -51,4 +51,10 @@ Standing JudgedParty::standing_of(PlaneKind kind, uint32_t component, size_t ind
   return {};
 }
 
+bool stand_alike(const JudgedParty& a, const JudgedParty& b, PlaneKind kind, size_t index) {
+  if (a.possible != b.possible || a.party.planes->owner[index] != b.party.planes->owner[index]) return false;
+  if (kind != PlaneKind::kCoverage && kind != PlaneKind::kHits) return true;
+  return !a.judge.breaks_line_rule(index) && !b.judge.breaks_line_rule(index);
+}
+
 }  // namespace fillrule::judge

@@ -34,6 +34,10 @@ struct JudgedParty {
   [[nodiscard]] Standing standing_of(PlaneKind kind, uint32_t component, size_t index) const;
 };
 
+// Whether two parties that show equal bits stand alike at the sample: the same is possible there, values belong to
+// the same owner, and hits are part of no line that breaks a rule as a whole.
+bool stand_alike(const JudgedParty& a, const JudgedParty& b, PlaneKind kind, size_t index);
+
 // What a plane shows, whatever its type.
 struct PlaneValue {
   uint32_t bits = 0;

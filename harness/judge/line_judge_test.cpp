@@ -123,6 +123,20 @@ TEST(LineJudge, TwoFragmentsInAColumnAreAFault) {
   EXPECT_EQ(faults(test_case, planes, "hits"), 1U);
 }
 
+// Where a line breaks a rule, the other party may show the same and be right.
+TEST(LineJudge, EqualHitsOfARightLineAndABrokenOneDoNotStandAlike) {
+  const Case test_case = strip();
+  const Planes right = right_picture(test_case);
+  Planes wrong = right;
+  copy(wrong, 9, 11, 9, 10);
+  const Party right_party{.planes = &right};
+  const Party wrong_party{.planes = &wrong};
+  EXPECT_EQ(judge(test_case, right_party, &wrong_party, {}).reference_faults(), 2U) << "coverage and hits";
+  EXPECT_EQ(judge(test_case, right_party, &wrong_party, {}).candidate_faults(), 0U);
+  EXPECT_EQ(judge(test_case, wrong_party, &right_party, {}).candidate_faults(), 2U);
+  EXPECT_EQ(judge(test_case, wrong_party, &right_party, {}).reference_faults(), 0U);
+}
+
 TEST(LineJudge, OneFragmentMayBeMissingButNotTwo) {
   const Case test_case = strip();
   Planes planes = right_picture(test_case);

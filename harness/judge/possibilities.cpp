@@ -48,14 +48,14 @@ bool compares_depth(const RasterState& state) {
 // Drawn from the same bits with the same state, two triangles have the same depth to the bit.
 bool same_geometry(const Case& test_case, const Piece& a, const Piece& b) {
   if (a.triangle() == nullptr || b.triangle() == nullptr) return false;
+  if (a.triangle()->vertices() != b.triangle()->vertices()) return false;
   const RasterState& sa = test_case.draws[a.draw].state;
   const RasterState& sb = test_case.draws[b.draw].state;
   const VkViewport& va = sa.viewport;
   const VkViewport& vb = sb.viewport;
-  const bool same_state = sa.depth_bias == sb.depth_bias && sa.depth_clamp == sb.depth_clamp &&
-                          sa.negative_one_to_one == sb.negative_one_to_one;
-  return same_state && a.triangle()->vertices() == b.triangle()->vertices() && va.x == vb.x && va.y == vb.y &&
-         va.width == vb.width && va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
+  return sa.depth_bias == sb.depth_bias && sa.depth_clamp == sb.depth_clamp &&
+         sa.negative_one_to_one == sb.negative_one_to_one && va.x == vb.x && va.y == vb.y && va.width == vb.width &&
+         va.height == vb.height && va.minDepth == vb.minDepth && va.maxDepth == vb.maxDepth;
 }
 
 }  // namespace
@@ -193,6 +193,8 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
     // The outcomes before differ from each other, and this piece was drawn by none of them.
     if (!must || result != DepthResult::kPasses || was_first) possibilities_.outcomes.push_back(before);
     if (!lands) continue;
+    // Whatever was there, the same is on top and stored.
+    if (writes && !landed_.empty()) continue;
     Outcome after = before;
     after.owner = piece.owner;
     after.piece = entry.piece;

@@ -46,10 +46,10 @@ bool is_filled(const Draw& draw) {
   return draw.topology >= VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST && draw.state.polygon_mode == VK_POLYGON_MODE_FILL;
 }
 
-// Whether a coordinate can be scaled without rounding.
-bool scales(float coordinate, int exponent) {
+// Whether a coordinate can be scaled by a power of two without rounding.
+bool scales(float coordinate, float factor) {
   if (coordinate == 0 || !std::isfinite(coordinate)) return true;
-  const float scaled = std::ldexp(coordinate, exponent);
+  const float scaled = coordinate * factor;
   return std::abs(coordinate) >= FLT_MIN && std::abs(scaled) >= FLT_MIN && std::abs(scaled) <= FLT_MAX / 16;
 }
 
@@ -118,16 +118,17 @@ bool add_cut(Case& test_case, bool other_side) {
 }
 
 bool scale_clip_space(Case& test_case, int exponent) {
+  const float factor = std::ldexp(1.0F, exponent);
   for (const Draw& draw : test_case.draws) {
     for (const ClipPosition& position : draw.positions) {
       for (const float coordinate : position) {
-        if (!scales(coordinate, exponent)) return false;
+        if (!scales(coordinate, factor)) return false;
       }
     }
   }
   for (Draw& draw : test_case.draws) {
     for (ClipPosition& position : draw.positions) {
-      for (float& coordinate : position) coordinate = std::ldexp(coordinate, exponent);
+      for (float& coordinate : position) coordinate *= factor;
     }
   }
   return true;

@@ -42,8 +42,8 @@ struct Job {
   }
 };
 
-// Jobs from one thread to many. It waits where pictures of more than `capacity_bytes` would pile up, unless there is
-// but one.
+// Jobs from some threads to many. They wait where pictures of more than `capacity_bytes` would pile up, unless there
+// is but one.
 class JobQueue {
  public:
   explicit JobQueue(size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
@@ -71,7 +71,7 @@ class JobQueue {
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
     waiting_bytes_ -= job.bytes();
-    space_.notify_one();
+    space_.notify_all();
     return job;
   }
 

@@ -98,6 +98,28 @@ TEST(SuiteRunner, ResultsAreInTheOrderOfTheCasesForAnyNumberOfJobs) {
   }
 }
 
+// So many that the reference draws with two devices.
+TEST(SuiteRunner, TwoDevicesDrawWhatOneDoes) {
+  std::vector<Case> many;
+  while (many.size() < 300) {
+    for (Case& one : cases()) many.push_back(std::move(one));
+  }
+  std::vector<RunResult> results;
+  for (const uint32_t jobs : {1U, 2U}) {
+    auto runner = SuiteRunner::create({.checks = false, .jobs = jobs, .validation = true});
+    ASSERT_TRUE(runner);
+    results.push_back(runner->run(many));
+    EXPECT_TRUE(runner->validation_messages().empty());
+  }
+  for (size_t i = 0; i < many.size(); ++i) {
+    const judge::CaseVerdict& one = results[0].cases[i].verdict;
+    const judge::CaseVerdict& two = results[1].cases[i].verdict;
+    EXPECT_EQ(results[1].cases[i].status, Status::kPassed);
+    ASSERT_EQ(one.planes.size(), two.planes.size());
+    for (size_t p = 0; p < one.planes.size(); ++p) EXPECT_EQ(one.planes[p].counts, two.planes[p].counts);
+  }
+}
+
 TEST(SuiteRunner, WithoutAReferenceTheOracleJudgesAlone) {
   auto runner = SuiteRunner::create({.reference = kNoReference});
   ASSERT_TRUE(runner);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "harness/run/job_queue.h"
+#include "harness/run/lanes.h"
 #include "harness/run/reference.h"
 #include "harness/run/stopwatch.h"
 #include "harness/scene/check.h"
@@ -22,6 +23,8 @@ RunTiming median(std::array<RunTiming, 3> timings) {
 // So many cases are handed to the reference at once: enough to share a submission, few enough that judging starts
 // soon.
 constexpr size_t kBatchSize = 32;
+// So many cases are worth a second device.
+constexpr size_t kCasesForTwoDevices = 8 * kBatchSize;
 // The reference draws ahead by pictures of so many bytes: the further, the less threads take turns on one processor.
 constexpr size_t kWaitingBytes = size_t{256} << 20U;
 
@@ -30,7 +33,8 @@ constexpr size_t kWaitingBytes = size_t{256} << 20U;
 struct SuiteRunner::State {
   RunOptions options;
   Candidate candidate;
-  std::optional<vulkan::Reference> reference;
+  std::vector<vulkan::Reference> devices;  // the reference's: none, one, or two that are alike (lanes.h)
+  DeviceOfSlots device_of_slots;
   scene::Painter reference_paint;  // empty without a reference
   std::unique_ptr<scene::Assets> assets = std::make_unique<scene::Assets>();
 
@@ -44,19 +48,19 @@ struct SuiteRunner::State {
     return drawn;
   }
 
-  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, const judge::Oracle& oracle,
+  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, const scene::KnownCase& known,
                                                                const ReferenceDrawing& drawn) const {
     if (!has_colors(test_case)) return std::nullopt;
     const scene::PaintingParty candidate_party{candidate.paint, candidate.subpixel_bits};
-    if (!drawn.colors) return scene::check_scene(test_case, *assets, candidate_party, nullptr, &oracle);
+    if (!drawn.colors) return scene::check_scene(test_case, *assets, candidate_party, nullptr, known);
     const scene::PaintingParty reference_party{scene::painted_before(*drawn.colors),
-                                               reference->device().subpixel_bits};
-    return scene::check_scene(test_case, *assets, candidate_party, &reference_party, &oracle);
+                                               devices.front().device().subpixel_bits};
+    return scene::check_scene(test_case, *assets, candidate_party, &reference_party, known);
   }
 
   [[nodiscard]] judge::Oracle ask_oracle(const Case& test_case, bool with_reference) const {
     const auto reference_bits =
-        with_reference ? std::optional(reference->device().subpixel_bits) : std::optional<uint32_t>();
+        with_reference ? std::optional(devices.front().device().subpixel_bits) : std::optional<uint32_t>();
     return {test_case, candidate.subpixel_bits, reference_bits};
   }
 
@@ -67,8 +71,14 @@ struct SuiteRunner::State {
     const judge::Settings settings{.profile = options.profile, .keep_maps = keep_maps};
     if (reference_planes == nullptr) return judge::judge(test_case, oracle, candidate_party, nullptr, settings);
     const judge::Party reference_party{.planes = reference_planes,
-                                       .subpixel_bits = reference->device().subpixel_bits};
+                                       .subpixel_bits = devices.front().device().subpixel_bits};
     return judge::judge(test_case, oracle, candidate_party, &reference_party, settings);
+  }
+
+  // What check_colors() need not find out again.
+  static scene::KnownCase known_of(const judge::Oracle& oracle, const Planes& candidate,
+                                   const judge::CaseVerdict& verdict) {
+    return {.oracle = &oracle, .faultless = verdict.candidate_faults() == 0 ? &candidate : nullptr};
   }
 
   // Whether the candidate can draw the case and the oracle judge it.
@@ -106,7 +116,8 @@ struct SuiteRunner::State {
           *planes);
       timing.check_seconds += stopwatch.lap();
     }
-    if (std::optional<judge::CheckResult> colors = check_colors(test_case, oracle, drawn)) {
+    if (std::optional<judge::CheckResult> colors =
+            check_colors(test_case, known_of(oracle, *planes, result.verdict), drawn)) {
       result.checks.push_back(std::move(*colors));
       timing.check_seconds += stopwatch.lap();
     }
@@ -117,55 +128,57 @@ struct SuiteRunner::State {
     if (result.verdict.candidate_faults() > 0 || check_failed) result.status = Status::kFailed;
   }
 
-  // Draws one batch. Cases that the device cannot draw are marked as skipped, with the reason.
-  std::vector<ReferenceDrawing> draw_batch(std::span<const Case> batch, std::span<CaseResult> results) {
-    std::vector<ReferenceDrawing> drawn(batch.size());
-    std::vector<const Case*> accepted;
-    std::vector<size_t> places;
-    for (size_t i = 0; i < batch.size(); ++i) {
-      if (const Result<void> can = vulkan::check_case(reference->device(), batch[i]); !can) {
-        results[i].status = Status::kSkipped;
-        results[i].message = to_string(can.error()) + "; held against the oracle alone";
-        continue;
+  // Draws what there is for a device in batches, and hands each batch to `take` with the numbers of its cases.
+  template <typename Take>
+  void draw_lane(std::span<const Case> cases, Lanes& lanes, size_t device, std::vector<CaseResult>& results,
+                 const Take& take) {
+    for (std::vector<size_t> batch; !(batch = lanes.next(device, kBatchSize)).empty();) {
+      std::vector<ReferenceDrawing> drawn(batch.size());
+      if (!devices.empty()) {
+        std::vector<std::optional<Planes>> planes = draw_batch(devices[device], cases, batch, results);
+        for (size_t i = 0; i < batch.size(); ++i) {
+          if (planes[i]) drawn[i] = with_colors(cases[batch[i]], std::move(*planes[i]));
+        }
       }
-      accepted.push_back(&batch[i]);
-      places.push_back(i);
+      take(batch, drawn);
     }
-    std::vector<Result<Planes>> planes = reference->draw(accepted);
-    for (size_t i = 0; i < accepted.size(); ++i) {
-      if (planes[i]) {
-        drawn[places[i]] = with_colors(*accepted[i], std::move(*planes[i]));
-      } else {
-        results[places[i]].status = Status::kFailed;
-        results[places[i]].message = "the reference broke down: " + to_string(planes[i].error());
-      }
-    }
-    return drawn;
   }
 
+  // Each further device on a thread of its own.
   void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue,
             const Progress& progress) {
-    for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
-      const size_t size = std::min(kBatchSize, cases.size() - begin);
-      std::vector<ReferenceDrawing> drawn(size);
-      if (reference) drawn = draw_batch(cases.subspan(begin, size), std::span(results).subspan(begin, size));
-      for (size_t i = 0; i < size; ++i) {
-        if (results[begin + i].status == Status::kFailed) {
+    Lanes lanes(cases, device_of_slots);
+    const auto push = [&](std::span<const size_t> batch, std::vector<ReferenceDrawing>& drawn) {
+      for (size_t i = 0; i < batch.size(); ++i) {
+        if (results[batch[i]].status == Status::kFailed) {
           progress();
           continue;
         }
-        queue.push({.index = begin + i, .reference = std::move(drawn[i])});
+        queue.push({.index = batch[i], .reference = std::move(drawn[i])});
       }
+    };
+    {
+      const Workers second(devices.size() > 1 ? 1 : 0, [&](uint32_t) { draw_lane(cases, lanes, 1, results, push); });
+      draw_lane(cases, lanes, 0, results, push);
     }
     queue.close();
   }
 
+  // On one thread, each case with the device that has drawn it before.
   void draw_with_reference_alone(std::span<const Case> cases) {
     std::vector<CaseResult> ignored(cases.size());
-    for (size_t begin = 0; begin < cases.size(); begin += kBatchSize) {
-      const size_t size = std::min(kBatchSize, cases.size() - begin);
-      draw_batch(cases.subspan(begin, size), std::span(ignored).subspan(begin, size));
+    Lanes lanes(cases, device_of_slots);
+    for (size_t device = 0; device < devices.size(); ++device) {
+      draw_lane(cases, lanes, device, ignored, [](const auto&, const auto&) {});
     }
+  }
+
+  // Where there are processors to draw with two devices at the same time, and cases enough. Without the second one
+  // the first draws everything.
+  void open_second_device(size_t cases) {
+    if (devices.size() != 1 || options.jobs < 2 || cases < kCasesForTwoDevices) return;
+    Result<vulkan::Reference> second = open_device(options.reference, options.driver_files, options.validation);
+    if (second) devices.push_back(std::move(*second));
   }
 
   // Draws and judges everything.
@@ -173,6 +186,7 @@ struct SuiteRunner::State {
     const uint32_t jobs = std::max(options.jobs, 1U);
     std::vector<RunTiming> timings(jobs);
     return timed([&](RunTiming& timing) {
+      open_second_device(cases.size());
       {
         JobQueue queue(kWaitingBytes);
         const Workers workers(jobs, [&](uint32_t worker) {
@@ -208,13 +222,13 @@ Result<SuiteRunner> SuiteRunner::create(const RunOptions& options) {
 }
 
 Result<SuiteRunner> SuiteRunner::create(const RunOptions& options, Candidate candidate) {
-  auto state = std::make_unique<State>(State{options, std::move(candidate), std::nullopt, nullptr});
+  auto state = std::make_unique<State>(State{options, std::move(candidate), {}, {}, nullptr});
   if (options.reference != kNoReference) {
     // A candidate that is a driver has its device by now.
     vulkan::prefer_fast_compilation();
     Result<vulkan::Reference> reference = open_device(options.reference, options.driver_files, options.validation);
     if (!reference) return tl::unexpected(reference.error());
-    state->reference.emplace(std::move(*reference));
+    state->devices.push_back(std::move(*reference));
     state->reference_paint = scene::driver_painter_on_demand(
         {.driver = options.reference, .driver_files = options.driver_files, .validation = options.validation});
   }
@@ -230,8 +244,8 @@ RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress
   RunResult result{.candidate = state_->candidate.name,
                    .candidate_subpixel_bits = state_->candidate.subpixel_bits,
                    .reference = {.driver = kNoReference}};
-  if (state_->reference) {
-    const vulkan::DeviceInfo& device = state_->reference->device();
+  if (!state_->devices.empty()) {
+    const vulkan::DeviceInfo& device = state_->devices.front().device();
     result.reference = {.driver = device.driver,
                         .name = device.name,
                         .version = device.driver_version,
@@ -245,7 +259,7 @@ RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress
   const Progress nobody = [] {};
   result.timing.run = state_->run(cases, result.cases, progress ? progress : nobody);
   result.summary = summarise(result.cases, result.timing.run.wall_seconds);
-  if (state_->reference && state_->options.measure_alone) result.timing.warm = state_->measure_warm(cases);
+  if (!state_->devices.empty() && state_->options.measure_alone) result.timing.warm = state_->measure_warm(cases);
   return result;
 }
 
@@ -257,22 +271,27 @@ Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   drawing.candidate = std::move(*candidate);
   // What the device cannot draw is shown without it.
   ReferenceDrawing drawn;
-  if (state_->reference && vulkan::check_case(state_->reference->device(), test_case)) {
+  if (!state_->devices.empty() && vulkan::check_case(state_->devices.front().device(), test_case)) {
     const Case* const one = &test_case;
-    std::vector<Result<Planes>> planes = state_->reference->draw({&one, 1});
+    std::vector<Result<Planes>> planes = state_->devices.front().draw({&one, 1});
     if (!planes.front()) return tl::unexpected(planes.front().error());
     drawn = state_->with_colors(test_case, std::move(*planes.front()));
   }
   const Planes* const reference = drawn.planes ? &*drawn.planes : nullptr;
   const judge::Oracle oracle = state_->ask_oracle(test_case, reference != nullptr);
   drawing.verdict = state_->judge_case(test_case, oracle, drawing.candidate, reference, true);
-  drawing.scene_colors = state_->check_colors(test_case, oracle, drawn);
+  drawing.scene_colors =
+      state_->check_colors(test_case, State::known_of(oracle, drawing.candidate, drawing.verdict), drawn);
   drawing.reference = std::move(drawn.planes);
   return drawing;
 }
 
 std::vector<std::string> SuiteRunner::validation_messages() const {
-  return state_->reference ? state_->reference->validation_messages() : std::vector<std::string>{};
+  std::vector<std::string> messages;
+  for (const vulkan::Reference& device : state_->devices) {
+    for (std::string& message : device.validation_messages()) messages.push_back(std::move(message));
+  }
+  return messages;
 }
 
 }  // namespace fillrule::run

@@ -17,21 +17,26 @@ struct PaintingParty {
   uint32_t subpixel_bits = 8;
 };
 
+// What is known of a case before its colours are judged.
+struct KnownCase {
+  const judge::Oracle* oracle = nullptr;  // for the parties' subpixel bits
+  const Planes* faultless = nullptr;      // what the candidate drew of it, if no sample of that is at fault
+};
+
 struct SceneVerdict {
   ColorVerdict colors;
-  judge::CaseVerdict planes;
+  judge::CaseVerdict planes;  // empty where the candidate's are to the bit those of the faultless picture
 };
 
 // What is judged below, drawn by one party.
 Result<Planes> paint_scene(const Case& built, Assets& assets, const Painter& paint);
 
-// `reference` may be null; `oracle` is that of the case for the parties' subpixel bits, if it has been made already.
-// Errors: what cannot be drawn, or not be judged.
+// `reference` may be null. Errors: what cannot be drawn, or not be judged.
 Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                                 const PaintingParty* reference, const judge::Oracle* oracle = nullptr);
+                                 const PaintingParty* reference, const KnownCase& known = {});
 
 // The same as one check of the case, named "scene_colors": failed if the candidate is at fault.
 judge::CheckResult check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                               const PaintingParty* reference, const judge::Oracle* oracle = nullptr);
+                               const PaintingParty* reference, const KnownCase& known = {});
 
 }  // namespace fillrule::scene

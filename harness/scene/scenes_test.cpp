@@ -73,6 +73,36 @@ TEST(SceneCheck, FindsACoverageThatIsWrong) {
   EXPECT_THAT(result.message, HasSubstr("coverage"));
 }
 
+// Geometry that has been judged already, and only that, is not judged again.
+TEST(SceneCheck, JudgesNoGeometryTwice) {
+  Assets assets;
+  const Case cube = suite_scenes("scenes/textured_cube", assets).at(0);
+  const Result<Planes> faultless = paint_scene(cube, assets, renderer_painter({}));
+  ASSERT_TRUE(faultless);
+  const KnownCase known{.faultless = &*faultless};
+  const Result<SceneVerdict> same = judge_scene(cube, assets, renderer_party(), nullptr, known);
+  ASSERT_TRUE(same);
+  EXPECT_TRUE(same->planes.planes.empty());
+  constexpr size_t kMiddle = 64 * 128 + 64;
+  const std::array<void (*)(Planes&), 4> faults{[](Planes& planes) { planes.hits[kMiddle] += 1; },
+                                                [](Planes& planes) { planes.owner[kMiddle] += 1; },
+                                                [](Planes& planes) { planes.front_facing[kMiddle] ^= 1U; },
+                                                [](Planes& planes) { planes.depth[kMiddle] -= 0.125F; }};
+  for (const auto& fault : faults) {
+    const Result<SceneVerdict> wrong = judge_scene(cube, assets, altered(fault), nullptr, known);
+    ASSERT_TRUE(wrong);
+    EXPECT_GT(wrong->planes.candidate_faults(), 0U);
+  }
+  // Where everything is judged with less subpixel bits, what was judged with all of them says nothing.
+  const Case moved = suite_scenes("scenes/transformed_by_both", assets).at(0);
+  const Result<Planes> painted = paint_scene(moved, assets, renderer_painter({}));
+  ASSERT_TRUE(painted);
+  const Result<SceneVerdict> coarser =
+      judge_scene(moved, assets, renderer_party(), nullptr, {.faultless = &*painted});
+  ASSERT_TRUE(coarser);
+  EXPECT_FALSE(coarser->planes.planes.empty());
+}
+
 TEST(SceneCheck, BlamesTheReferenceForItsOwnFault) {
   const PaintingParty reference = altered([](Planes& planes) {
     for (float& red : planes.varyings[0]) red *= 0.9F;

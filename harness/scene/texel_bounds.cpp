@@ -58,37 +58,56 @@ class LevelBounds {
   }
 
   [[nodiscard]] ColorBounds bounds() const {
-    const std::vector<double> columns = stops(low_.x, high_.x);
-    const std::vector<double> rows = stops(low_.y, high_.y);
+    const std::vector<Stop> columns = stops(low_.x, high_.x, level_.width, sampling_.wrap_u);
+    const std::vector<Stop> rows = stops(low_.y, high_.y, level_.height, sampling_.wrap_v);
     if (columns.size() * rows.size() > kManyStops) return whole_level();
     ColorBounds bounds = kNothing;
-    for (const double y : rows) {
-      for (const double x : columns) {
-        include_color(bounds, sampling_.filter == VK_FILTER_NEAREST ? texel(x, y) : bilinear(x, y));
+    for (const Stop& row : rows) {
+      for (const Stop& column : columns) {
+        include_color(bounds,
+                      sampling_.filter == VK_FILTER_NEAREST ? texel(column.first, row.first) : bilinear(column, row));
       }
     }
     return bounds;
   }
 
  private:
+  // A column or row of texels, wrapped, or the two that a place is between, with the weight of the second. -1 is the
+  // border.
+  struct Stop {
+    int first = 0;
+    int second = 0;
+    double weight = 0;
+  };
+
   // The texels, or the ends and the texel centres, between two coordinates.
-  [[nodiscard]] std::vector<double> stops(double low, double high) const {
+  [[nodiscard]] std::vector<Stop> stops(double low, double high, double size, VkSamplerAddressMode mode) const {
     const double first = std::floor(low);
     const double texels = std::floor(high) - first + 1;
     // NaN too.
-    if (!(texels <= kManyStops)) return std::vector<double>(kManyStops + 1);
-    std::vector<double> stops;
-    if (sampling_.filter == VK_FILTER_LINEAR) stops = {low, high};
+    if (!(texels <= kManyStops)) return std::vector<Stop>(kManyStops + 1);
+    std::vector<Stop> stops;
+    stops.reserve(static_cast<size_t>(texels) + 2);
+    if (sampling_.filter == VK_FILTER_LINEAR) stops = {between(low, size, mode), between(high, size, mode)};
     for (int i = 0; i < static_cast<int>(texels); ++i) {
-      const double stop = first + i + (sampling_.filter == VK_FILTER_LINEAR ? 0.5 : 0);
-      if (sampling_.filter == VK_FILTER_NEAREST || (stop > low && stop < high)) stops.push_back(stop);
+      const double texel = first + i;
+      if (sampling_.filter == VK_FILTER_NEAREST) {
+        stops.push_back({.first = static_cast<int>(wrapped(texel, size, mode))});
+      } else if (texel + 0.5 > low && texel + 0.5 < high) {
+        stops.push_back(between(texel + 0.5, size, mode));
+      }
     }
     return stops;
   }
 
-  [[nodiscard]] std::array<double, 3> texel(double x, double y) const {
-    const double column = wrapped(x, level_.width, sampling_.wrap_u);
-    const double row = wrapped(y, level_.height, sampling_.wrap_v);
+  static Stop between(double place, double size, VkSamplerAddressMode mode) {
+    const double before = std::floor(place - 0.5);
+    return {.first = static_cast<int>(wrapped(before, size, mode)),
+            .second = static_cast<int>(wrapped(before + 1, size, mode)),
+            .weight = place - 0.5 - before};
+  }
+
+  [[nodiscard]] std::array<double, 3> texel(int column, int row) const {
     if (column < 0 || row < 0) {
       const double border = sampling_.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1 : 0;
       return {border, border, border};
@@ -97,17 +116,13 @@ class LevelBounds {
     return {found[0], found[1], found[2]};
   }
 
-  [[nodiscard]] std::array<double, 3> bilinear(double x, double y) const {
-    const double left = std::floor(x - 0.5);
-    const double top = std::floor(y - 0.5);
-    const double a = x - 0.5 - left;
-    const double b = y - 0.5 - top;
+  [[nodiscard]] std::array<double, 3> bilinear(const Stop& x, const Stop& y) const {
     std::array<double, 3> sum{};
     for (int corner = 0; corner < 4; ++corner) {
       const bool is_right = corner % 2 != 0;
       const bool is_lower = corner >= 2;
-      const double weight = (is_right ? a : 1 - a) * (is_lower ? b : 1 - b);
-      const auto color = texel(left + (is_right ? 1 : 0), top + (is_lower ? 1 : 0));
+      const double weight = (is_right ? x.weight : 1 - x.weight) * (is_lower ? y.weight : 1 - y.weight);
+      const auto color = texel(is_right ? x.second : x.first, is_lower ? y.second : y.first);
       for (size_t c = 0; c < 3; ++c) sum[c] += weight * color[c];
     }
     return sum;

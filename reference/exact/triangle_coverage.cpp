@@ -1,6 +1,7 @@
 // What a triangle covers: samples, blocks of them, and the parts of the window it reaches.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "reference/exact/rational_triangle.h"
 #include "reference/exact/triangle.h"
@@ -11,6 +12,14 @@ namespace {
 // Rounds only where the centre is no short number.
 double offset(double position, double centre) {
   return position - centre;
+}
+
+// How a distance inside of a boundary, known but for `slack`, compares with what rounding reaches, if it can be told.
+std::optional<Coverage> decided(double inside, double reach, double slack) {
+  if (inside > reach + slack) return Coverage::kMust;
+  if (inside < -reach - slack) return Coverage::kMustNot;
+  if (std::abs(inside) <= reach - slack) return Coverage::kMay;
+  return std::nullopt;
 }
 
 // The part of a convex polygon where the form, plus `reach`, is not negative.
@@ -40,9 +49,7 @@ Coverage Triangle::classify_against(const LinearForm& form, double dx, double dy
   const double slack =
       form.error_at(dx, dy) + form.reach_error(latitude.x, latitude.y) +
       form.reach(0x1p-52 * (std::abs(dx) + std::abs(centre_x_)), 0x1p-52 * (std::abs(dy) + std::abs(centre_y_)));
-  if (value > reach + slack) return Coverage::kMust;
-  if (value < -reach - slack) return Coverage::kMustNot;
-  if (std::abs(value) <= reach - slack) return Coverage::kMay;
+  if (const std::optional<Coverage> coverage = decided(value, reach, slack)) return *coverage;
   return exact_classification(*this, exact_form, dx + centre_x_, dy + centre_y_, latitude);
 }
 
@@ -67,8 +74,10 @@ Coverage Triangle::classify_viewport(double x, double y, const Latitude& latitud
   const double inside_y = std::abs(double{viewport_.height}) / 2 - dy;
   const double slack = 0x1p-50 * (std::abs(x) + std::abs(y) + std::abs(centre_x_) + std::abs(centre_y_) +
                                   double{viewport_.width} + std::abs(double{viewport_.height}));
-  if (inside_x > latitude.x + slack && inside_y > latitude.y + slack) return Coverage::kMust;
-  if (inside_x < -latitude.x - slack || inside_y < -latitude.y - slack) return Coverage::kMustNot;
+  const std::optional<Coverage> horizontal = decided(inside_x, latitude.x, slack);
+  const std::optional<Coverage> vertical = decided(inside_y, latitude.y, slack);
+  if (horizontal && vertical) return std::min(*horizontal, *vertical);
+  if (horizontal == Coverage::kMustNot || vertical == Coverage::kMustNot) return Coverage::kMustNot;
   return exact_viewport_classification(viewport_, x, y, latitude);
 }
 

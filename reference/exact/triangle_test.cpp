@@ -100,6 +100,41 @@ TEST(Triangle, OutsideTheViewportNothingIsCovered) {
   EXPECT_EQ(coverage(huge, -0.5, 0.5), Coverage::kMustNot);
 }
 
+// Doubles decide about both directions where they can, rationals about the rest: borders through samples, the
+// latitude from them and a little less or more, upside down too.
+TEST(Triangle, TheViewportsBordersAreThoseOfRationals) {
+  constexpr std::array<double, 7> kPlaces{9.5, 10.5, 11.5, 18.5, 25.5, 26.5, 27.5};
+  constexpr float kSize = 16;
+  std::array<int, 3> answers{};
+  for (const double latitudes : {0.0, 0.5, 0.999, 1.001, 100.0, -0.999, -1.001, -100.0}) {
+    for (const float up : {1.0F, -1.0F}) {
+      const VkViewport at_samples{.x = 10.5F,
+                                  .y = up > 0 ? 10.5F : 26.5F,
+                                  .width = kSize,
+                                  .height = kSize * up,
+                                  .minDepth = 0,
+                                  .maxDepth = 1};
+      const auto shift = static_cast<float>(latitudes * latitude_of(at_samples, 8).x);
+      VkViewport viewport = at_samples;
+      viewport.x += shift;
+      viewport.y += shift;
+      const Triangle huge({ClipPosition{-1e6F, -1e6F, 0.5F, 1}, ClipPosition{3e6F, -1e6F, 0.5F, 1},
+                           ClipPosition{-1e6F, 3e6F, 0.5F, 1}},
+                          viewport);
+      const Latitude latitude = latitude_of(viewport, 8);
+      for (const double x : kPlaces) {
+        for (const double y : kPlaces) {
+          const Coverage expected = exact_viewport_classification(viewport, x, y, latitude);
+          EXPECT_EQ(huge.classify(x, y, latitude).coverage, expected)
+              << latitudes << ' ' << up << ' ' << x << ' ' << y;
+          ++answers[static_cast<size_t>(expected)];
+        }
+      }
+    }
+  }
+  for (const int count : answers) EXPECT_GT(count, 50);
+}
+
 TEST(Triangle, WhatVulkanLeavesUndefinedIsSaidToBe) {
   const auto with = [](float x, float w) {
     return Triangle({ClipPosition{x, 0, 0, w}, at(60, 10), at(10, 60)}, kViewport).undefined();
