@@ -1,5 +1,7 @@
 #include "renderer/worker_pool.h"
 
+#include <optional>
+
 namespace fillrule::renderer {
 
 WorkerPool::~WorkerPool() {
@@ -25,29 +27,35 @@ void WorkerPool::parallel_for(size_t count, size_t cost, const std::function<voi
     const std::scoped_lock lock(mutex_);
     body_ = &body;
     count_ = count;
-    next_ = 0;
+    for (Begun& begun : begun_) {
+      begun.calls = 0;
+    }
     busy_ = workers_.size();
     ++generation_;
   }
   work_ready_.notify_all();
-  take_all(body, count);
+  take_all(0, body, count);
   std::unique_lock lock(mutex_);
   work_done_.wait(lock, [this] { return busy_ == 0; });
 }
 
 void WorkerPool::start() {
   while (workers_.size() + 1 < threads_) {
-    workers_.emplace_back([this] { work(); });
+    workers_.emplace_back([this, thread = static_cast<uint32_t>(workers_.size()) + 1] { work(thread); });
   }
 }
 
-void WorkerPool::take_all(const std::function<void(size_t)>& body, size_t count) {
-  for (size_t i = next_++; i < count; i = next_++) {
-    body(i);
+void WorkerPool::take_all(uint32_t thread, const std::function<void(size_t)>& body, size_t count) {
+  for (uint32_t i = 0; i < threads_; ++i) {
+    const uint32_t owner = (thread + i) % threads_;
+    const auto next = [&] { return owner + begun_[owner].calls++ * threads_; };
+    for (size_t call = next(); call < count; call = next()) {
+      body(call);
+    }
   }
 }
 
-void WorkerPool::work() {
+void WorkerPool::work(uint32_t thread) {
   uint64_t seen = 0;
   std::unique_lock lock(mutex_);
   while (true) {
@@ -59,12 +67,20 @@ void WorkerPool::work() {
     const std::function<void(size_t)>& body = *body_;
     const size_t count = count_;
     lock.unlock();
-    take_all(body, count);
+    take_all(thread, body, count);
     lock.lock();
     if (--busy_ == 0) {
       work_done_.notify_one();
     }
   }
+}
+
+WorkerPool& own_workers(uint32_t threads) {
+  static thread_local std::optional<WorkerPool> workers;
+  if (!workers || workers->threads() != threads) {
+    workers.emplace(threads);
+  }
+  return *workers;
 }
 
 }  // namespace fillrule::renderer

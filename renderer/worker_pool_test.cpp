@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
 #include <set>
 
 namespace fillrule::renderer {
@@ -38,6 +39,32 @@ TEST(WorkerPool, LargeWorkRunsOnSeveralThreadsAtOnce) {
     }
   });
   EXPECT_EQ(arrived, 3);
+}
+
+TEST(WorkerPool, AThreadBeginsEveryLoopWithItsOwnCalls) {
+  constexpr size_t kThreads = 4;
+  WorkerPool pool(kThreads);
+  std::array<std::set<std::thread::id>, kThreads> threads_of_call;
+  for (size_t loop = 1; loop <= 50; ++loop) {
+    std::atomic<size_t> arrived = 0;
+    pool.parallel_for(kThreads, WorkerPool::kMinParallelCost, [&](size_t call) {
+      threads_of_call[call].insert(std::this_thread::get_id());
+      ++arrived;
+      while (arrived < kThreads) {  // so that nobody can take another's
+        std::this_thread::yield();
+      }
+    });
+  }
+  EXPECT_THAT(threads_of_call, ::testing::Each(::testing::SizeIs(1)));
+}
+
+TEST(WorkerPool, AThreadKeepsItsOwnPool) {
+  WorkerPool& two = own_workers(2);
+  EXPECT_EQ(&own_workers(2), &two);
+  EXPECT_EQ(two.threads(), 2U);
+  EXPECT_EQ(own_workers(3).threads(), 3U);
+  std::thread([] { EXPECT_EQ(own_workers(4).threads(), 4U); }).join();
+  EXPECT_EQ(own_workers(3).threads(), 3U);
 }
 
 }  // namespace
