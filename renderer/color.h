@@ -19,7 +19,7 @@ namespace fillrule::renderer {
 // pixel side by side. The caller owns the values; without a colour attachment there are none.
 struct ColorBuffer {
   std::span<uint32_t> values;
-  std::optional<uint32_t> clear;  // what all of it is set to before the draw
+  std::optional<uint32_t> clear;  // what all of it is set to before the draw, which then need not read it
 };
 
 using Vec4 = std::array<float, 4>;

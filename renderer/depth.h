@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <optional>
 #include <span>
 
 #include "cases/model/case.h"
@@ -19,6 +20,7 @@ namespace fillrule::renderer {
 struct DepthBuffer {
   std::span<float> values;
   VkFormat format = VK_FORMAT_D32_SFLOAT;  // or D16_UNORM, X8_D24_UNORM_PACK32
+  std::optional<float> clear;              // as that of ColorBuffer; a value that the format has
 };
 
 // Whether the fragment's depth `op` the stored depth holds; "greater" is all that is neither less nor equal.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "renderer/coverage.h"
@@ -77,6 +78,57 @@ TEST(Lanes, GiveTheBytesOfOneAtATime) {
   for (const Isa isa : kAllIsas) {
     if (!is_supported(isa)) continue;
     EXPECT_EQ(outcome(isa, values), expected) << to_string(isa);
+  }
+}
+
+// Of what only lanes of several rows or samples need.
+TEST(Lanes, CutOffFractionsAndSigns) {
+  const std::array<float, kCount> values{-0.0F, 0.9999F, -0.9999F, 1.5F, -7.5F, 31.99F, 64, -1e-40F};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<int32_t, kCount> truncated{};
+    std::array<float, kCount> magnitudes{};
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            const typename L::Float value = L::load(values.data() + i);
+            L::store(L::truncated(value), truncated.data() + i);
+            L::store(L::to_float(L::magnitude(L::to_double(value))), magnitudes.data() + i);
+          }
+        });
+    EXPECT_EQ(truncated, (std::array<int32_t, kCount>{0, 0, 0, 1, -7, 31, 64, 0})) << to_string(isa);
+    EXPECT_EQ(magnitudes, (std::array<float, kCount>{0, 0.9999F, 0.9999F, 1.5F, 7.5F, 31.99F, 64, 1e-40F}))
+        << to_string(isa);
+    EXPECT_FALSE(std::signbit(magnitudes[0])) << to_string(isa);
+  }
+}
+
+// Four lanes side by side, as the samples of a pixel are.
+TEST(Lanes, AreComparedFourByFour) {
+  const std::array<float, kCount> values{3, -1, 2, 0.5F, -8, -9, -7, -8.5F};
+  const std::array<int32_t, 4> four{5, 6, 7, 8};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa) || isa == Isa::kScalar) continue;
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          if constexpr (L::kWidth > 1) {
+            std::array<float, L::kWidth> least{};
+            std::array<float, L::kWidth> greatest{};
+            std::array<int32_t, L::kWidth> each{};
+            for (uint32_t first = 0; first < kCount; first += L::kWidth) {
+              const typename L::Float value = L::load(values.data() + first);
+              L::store(L::template least_of_each<4>(value), least.data());
+              L::store(L::template greatest_of_each<4>(value), greatest.data());
+              L::store(L::template load_each<4>(four.data()), each.data());
+              for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
+                const bool is_first_four = first + lane < 4;
+                EXPECT_EQ(least[lane], is_first_four ? -1 : -9) << to_string(isa) << lane;
+                EXPECT_EQ(greatest[lane], is_first_four ? 3 : -7) << to_string(isa) << lane;
+                EXPECT_EQ(each[lane], four[lane % 4]) << to_string(isa) << lane;
+              }
+            }
+          }
+        });
   }
 }
 

@@ -1,12 +1,14 @@
 #include "renderer/pipeline.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 #include "renderer/bresenham_line.h"
 #include "renderer/depth_bias.h"
 #include "renderer/line_point_setup.h"
 #include "renderer/outlines.h"
+#include "renderer/triangle_setup.h"
 
 namespace fillrule::renderer {
 namespace {
@@ -30,13 +32,68 @@ class ChunkBuilder {
                std::span<const WindowVertex> window_vertices, PrimitiveChunk& chunk)
       : draw_(draw), positions_clip_(positions_clip), window_vertices_(window_vertices), chunk_(chunk) {}
 
-  void add(uint32_t number) const {
-    const std::array<uint32_t, 3> vertices = draw_.assembly.vertices(number);
-    const auto& [a, b, c] = vertices;
-    if (draw_.shape == Shape::kPolygon && is_whole(window_vertices_[a], window_vertices_[b], window_vertices_[c])) {
-      add_whole_triangle(number, vertices);
+  // The primitives [first, end).
+  void add(uint32_t first, uint32_t end) const {
+    if (draw_.shape == Shape::kPolygon) {
+      dispatch(
+          draw_.isa, [&]<typename L>() __attribute__((always_inline)) { add_polygons<L>(first, end); });
       return;
     }
+    for (uint32_t number = first; number < end; ++number) {
+      add(number, draw_.assembly.vertices(number));
+    }
+  }
+
+ private:
+  template <typename L>
+  [[gnu::always_inline]] void add_polygons(uint32_t first, uint32_t end) const {
+    if constexpr (L::kWidth == 1) {
+      for (uint32_t number = first; number < end; ++number) {
+        const std::array<uint32_t, 3> vertices = draw_.assembly.vertices(number);
+        if (is_whole(vertices)) {
+          add_whole_triangle(number, vertices);
+        } else {
+          add(number, vertices);
+        }
+      }
+    } else {
+      constexpr uint32_t kAtOnce = internal::TriangleLanes<L>::kTriangles;
+      for (; first < end; first += kAtOnce) {
+        add_lanes<L>(first, std::min(kAtOnce, end - first));
+      }
+    }
+  }
+
+  // Whole triangles by lanes, others one by one, all in their order.
+  template <typename L>
+  [[gnu::always_inline]] void add_lanes(uint32_t first, uint32_t count) const {
+    using Lanes = internal::TriangleLanes<L>;
+    Lanes lanes;
+    std::array<std::array<uint32_t, 3>, Lanes::kTriangles> indices;
+    uint64_t whole = 0;
+    for (uint32_t i = 0; i < count; ++i) {
+      indices[i] = draw_.assembly.vertices(first + i);
+      const auto& [a, b, c] = indices[i];
+      lanes.put(i, window_vertices_[a].position, window_vertices_[b].position, window_vertices_[c].position);
+      whole |= uint64_t{is_whole(indices[i])} << i;
+    }
+    lanes.set_up(draw_.setup, {draw_.has_tiny_coverage, draw_.samples().front().sample_fixed}, count);
+    const uint64_t others = ~whole & ~uint64_t{0} >> (Lanes::kTriangles - count);
+    for (uint64_t rest = (whole & (lanes.visible() | lanes.too_large())) | others; rest != 0; rest &= rest - 1) {
+      const auto i = static_cast<uint32_t>(std::countr_zero(rest));
+      const uint64_t bit = rest & -rest;
+      if ((whole & lanes.visible() & bit) != 0) {
+        lanes.get(i, append(first + i, indices[i]));
+      } else if ((whole & bit) != 0) {
+        add_whole_triangle(first + i, indices[i]);
+      } else {
+        add(first + i, indices[i]);
+      }
+    }
+  }
+
+  void add(uint32_t number, const std::array<uint32_t, 3>& vertices) const {
+    const auto& [a, b, c] = vertices;
     const AssembledPrimitive primitive = assembled(draw_, number, vertices, positions_clip_,
                                                    {window_vertices_[a], window_vertices_[b], window_vertices_[c]});
     if (draw_.shape == Shape::kPolygon) {
@@ -48,23 +105,30 @@ class ChunkBuilder {
     }
   }
 
- private:
   // Neither clipped nor dropped for its distances.
-  static bool is_whole(const WindowVertex& a, const WindowVertex& b, const WindowVertex& c) {
+  [[nodiscard]] bool is_whole(const std::array<uint32_t, 3>& vertices) const {
+    const WindowVertex& a = window_vertices_[vertices[0]];
+    const WindowVertex& b = window_vertices_[vertices[1]];
+    const WindowVertex& c = window_vertices_[vertices[2]];
     return (a.clip_code | b.clip_code | c.clip_code) == 0 && (a.cull_code & b.cull_code & c.cull_code) == 0;
   }
 
   // Nearly all of most draws: set up where it is to stay, as copies would be a good part of the work.
   void add_whole_triangle(uint32_t number, const std::array<uint32_t, 3>& vertices) const {
+    if (!setup_whole_triangle(draw_.setup, append(number, vertices))) {
+      chunk_.drop_last();
+    }
+  }
+
+  // A triangle that is not set up.
+  [[nodiscard]] SetupPrimitive& append(uint32_t number, const std::array<uint32_t, 3>& vertices) const {
     SetupPrimitive& triangle = chunk_.append();
     for (size_t i = 0; i < 3; ++i) {
       triangle.vertices[i] = window_vertices_[vertices[i]].position;
       triangle.indices[i] = vertices[i];
     }
     triangle.primitive = number;
-    if (!setup_whole_triangle(draw_.setup, triangle)) {
-      chunk_.drop_last();
-    }
+    return triangle;
   }
 
   void add(const std::optional<SetupPrimitive>& primitive) const {
@@ -167,10 +231,26 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, std::span<const
                  std::span<const WindowVertex> window_vertices, uint32_t first, uint32_t end, PrimitiveChunk& chunk) {
   chunk.clear();
   const ChunkBuilder builder(draw, positions_clip, window_vertices, chunk);
-  for (uint32_t primitive = first; primitive < end; ++primitive) {
-    builder.add(primitive);
-  }
+  builder.add(first, end);
   chunk.sort_into(grid);
+}
+
+void clear_around(const DrawInput& input, const PixelRect& pixels) {
+  if (!input.clears()) {
+    return;
+  }
+  const auto width = static_cast<int32_t>(input.target_width);
+  const auto height = static_cast<int32_t>(input.target_height);
+  const PixelRect kept = intersection(pixels, {0, 0, width, height});
+  if (kept.empty()) {
+    internal::clear_attachments(input, {0, 0, width, height});
+    return;
+  }
+  for (const PixelRect& side :
+       {PixelRect{0, 0, width, kept.top}, PixelRect{0, kept.bottom, width, height},
+        PixelRect{0, kept.top, kept.left, kept.bottom}, PixelRect{kept.right, kept.top, width, kept.bottom}}) {
+    internal::clear_attachments(input, side);
+  }
 }
 
 PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupPrimitive& primitive,

@@ -25,6 +25,9 @@ namespace fillrule::renderer {
 void build_chunk(const PreparedDraw& draw, const TileGrid& grid, std::span<const ClipPosition> positions_clip,
                  std::span<const WindowVertex> window_vertices, uint32_t first, uint32_t end, PrimitiveChunk& chunk);
 
+// Clears all of the target but these pixels, which may be none.
+void clear_around(const DrawInput& input, const PixelRect& pixels);
+
 namespace internal {
 
 // Of a thread that draws.
@@ -46,9 +49,10 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   }
   const bool has_samples = (input.state.sample_mask & ((1U << input.samples) - 1)) != 0;
   if (prepared->setup.clip_pixels.empty() || !has_samples || prepared->assembly.count() == 0) {
+    clear_around(input, {});
     return {};
   }
-  WorkerPool workers(options.threads);
+  WorkerPool& workers = own_workers(options.threads);
 
   // Step 1: the vertices.
   constexpr uint32_t kVerticesAtOnce = 4096;
@@ -70,6 +74,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   constexpr uint32_t kChunksInBatch = 64;
   constexpr size_t kCostOfSetup = 30;
   const TileGrid grid(prepared->setup.clip_pixels);
+  clear_around(input, grid.pixels());
   const uint32_t primitives = prepared->assembly.count();
   const uint32_t all_chunks = (primitives - 1) / kPrimitivesInChunk + 1;
   const size_t room_of_chunk = size_t{prepared->parts_of_primitive()} * std::min(primitives, kPrimitivesInChunk);
@@ -88,7 +93,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
       build_chunk(*prepared, grid, positions_clip, window_vertices, first, end, chunks[chunk]);
     });
     const std::span<const PrimitiveChunk> batch(chunks.data(), batch_chunks);
-    size_t cost = 0;
+    size_t cost = first_chunk == 0 && input.clears() ? size_t{grid.count()} * kTileSize * kTileSize : 0;
     for (const PrimitiveChunk& chunk : batch) {
       cost += chunk.cost();
     }
@@ -98,10 +103,10 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
           prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
             if (input.samples == 1) {
               internal::shade_tile<L, TileCoverage>(*prepared, program, positions_clip, grid.pixels(index), index,
-                                                    batch);
+                                                    batch, first_chunk == 0);
             } else {
               internal::shade_tile<L, SampledTileCoverage>(*prepared, program, positions_clip, grid.pixels(index),
-                                                           index, batch);
+                                                           index, batch, first_chunk == 0);
             }
           });
     });

@@ -218,5 +218,98 @@ TEST(Pipeline, RefusesADepthBufferOfAnotherSize) {
   EXPECT_FALSE(render_into(scene, planes));
 }
 
+// A scene in colour with some tiles drawn to, some not, and both attachments.
+struct ColoredTarget {
+  static constexpr uint32_t kWidth = 203;  // neither whole tiles nor whole blocks
+  static constexpr uint32_t kHeight = 150;
+  uint32_t samples = 1;
+  VkRect2D scissor{{0, 0}, {kWidth, kHeight}};
+  bool depth_test = true;
+  std::vector<ClipPosition> positions;
+};
+
+struct ColoredPlanes {
+  std::vector<float> depth;
+  std::vector<uint32_t> color;
+  bool operator==(const ColoredPlanes&) const = default;
+};
+
+struct OneColor {
+  using PrimitiveData = Vec4;
+  const ColoredTarget& target;
+  [[nodiscard]] ClipPosition position(uint32_t vertex) const { return target.positions[vertex]; }
+  [[nodiscard]] PrimitiveData primitive_data(const ShadedPrimitive& primitive) const {
+    return {1, static_cast<float>(primitive.primitive % 7) / 7, 0.5F, 1};
+  }
+  template <typename L>
+  [[nodiscard, gnu::always_inline]] Color<L> color(const PrimitiveData& data,
+                                                   const FragmentLanes<L>& fragments) const {
+    return fragments.flat(data);
+  }
+};
+
+constexpr float kClearDepth = 0.75F;
+constexpr uint32_t kClearColor = 0xFF102030U;
+
+// Cleared by the draw, or before it by a test that fills all of the planes.
+ColoredPlanes drawn(const ColoredTarget& target, bool by_draw, const Options& options) {
+  const size_t values = size_t{ColoredTarget::kWidth} * ColoredTarget::kHeight * target.samples;
+  ColoredPlanes planes{.depth = std::vector(values, by_draw ? 0.125F : kClearDepth),
+                       .color = std::vector(values, by_draw ? 0xDEADBEEFU : kClearColor)};
+  DrawInput input{.target_width = ColoredTarget::kWidth,
+                  .target_height = ColoredTarget::kHeight,
+                  .samples = target.samples,
+                  .vertices = {.vertex_count = static_cast<uint32_t>(target.positions.size())},
+                  .state = {.viewport = {0, 0, ColoredTarget::kWidth, ColoredTarget::kHeight, 0, 1},
+                            .scissor = target.scissor,
+                            .depth_test = target.depth_test},
+                  .depth = {.values = planes.depth},
+                  .color = {.values = planes.color}};
+  if (by_draw) {
+    input.depth.clear = kClearDepth;
+    input.color.clear = kClearColor;
+  }
+  EXPECT_TRUE(draw(input, OneColor{target}, options));
+  return planes;
+}
+
+TEST(Clear, IsThatOfAllValuesBeforeTheDraw) {
+  SeededRandom random;
+  const auto triangles = [&](uint32_t count, double extent) {
+    std::vector<ClipPosition> positions;
+    for (uint32_t i = 0; i < count; ++i) {
+      const double x = random.uniform(-0.5, 0.5);
+      const double y = random.uniform(-1, 0.2);
+      for (int corner = 0; corner < 3; ++corner) {
+        positions.push_back({static_cast<float>(x + random.uniform(-extent, extent)),
+                             static_cast<float>(y + random.uniform(-extent, extent)),
+                             static_cast<float>(random.uniform(0.1, 1)), 1});
+      }
+    }
+    return positions;
+  };
+  std::vector<ColoredTarget> targets;
+  for (const uint32_t samples : {1U, 2U, 4U}) {
+    targets.push_back({.samples = samples, .positions = triangles(20, 0.2)});
+    targets.push_back({.samples = samples, .positions = triangles(40, 1)});  // in the border's blocks too
+    targets.push_back({.samples = samples, .scissor = {{70, 67}, {60, 40}}, .positions = triangles(20, 0.6)});
+    targets.push_back({.samples = samples, .depth_test = false, .positions = triangles(5, 0.3)});
+    targets.push_back({.samples = samples, .scissor = {{50, 50}, {0, 9}}, .positions = triangles(5, 0.3)});
+    targets.push_back({.samples = samples});  // nothing to draw
+  }
+  // Several batches: only the first one clears.
+  targets.push_back({.positions = triangles(300'000, 0.01)});
+  for (const ColoredTarget& target : targets) {
+    SCOPED_TRACE(&target - targets.data());
+    for (const Isa isa : kAllIsas) {
+      if (!is_supported(isa)) continue;
+      for (const uint32_t threads : {1U, 3U}) {
+        const Options options{.threads = threads, .isa = isa};
+        EXPECT_EQ(drawn(target, true, options), drawn(target, false, options)) << to_string(isa) << threads;
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace fillrule::renderer

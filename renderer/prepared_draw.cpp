@@ -172,6 +172,7 @@ void set_up_spans(PreparedDraw& prepared) {
   if (!has_spans) {
     return;
   }
+  prepared.has_tiny_coverage = input.samples == 1;
   prepared.span_pixels = prepared.setup.clip_pixels;
   for (const SampleArea& sample : prepared.samples()) {
     prepared.span_pixels = intersection(prepared.span_pixels, sample.pixels);

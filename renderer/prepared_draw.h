@@ -48,6 +48,9 @@ struct DrawInput {
   RasterState state;
   DepthBuffer depth;
   ColorBuffer color;  // of a program that gives colours (shading.h)
+
+  // Whether an attachment is cleared before it is drawn to.
+  [[nodiscard]] bool clears() const { return depth.clear || color.clear; }
 };
 
 // Everything of a draw that does not depend on the program.
@@ -72,6 +75,7 @@ struct PreparedDraw {
   PixelRect span_pixels;
   SpanSamples span_samples;
   uint32_t run_sample_bits;  // of a run's samples those in the sample mask
+  bool has_tiny_coverage;    // tiny triangles are covered as soon as they are set up (triangle_setup.h)
 
   [[nodiscard]] WindowVertex window_vertex(uint32_t vertex, const ClipPosition& pos_clip) const {
     WindowVertex window_vertex = setup.transform.window_vertex(pos_clip);

@@ -52,8 +52,10 @@ struct SetupPrimitive {
   std::array<FixedPosition, 3> vertices;
   std::array<uint32_t, 3> indices{};  // see AssembledPrimitive
   uint32_t primitive = 0;             // counted within the draw
-  uint32_t polygon_offset = 0;        // of an outline that is no triangle, in the list of polygon vertices
-  uint16_t left = 0;                  // the pixels it may touch, within SetupState::clip_pixels
+  // Of an outline that is no triangle: where it begins in the list of polygon vertices. Of a triangle: see
+  // covered_pixels().
+  uint32_t offset_or_pixels = 0;
+  uint16_t left = 0;  // the pixels it may touch, within SetupState::clip_pixels
   uint16_t top = 0;
   uint16_t right = 0;
   uint16_t bottom = 0;
@@ -70,9 +72,16 @@ struct SetupPrimitive {
     bottom = static_cast<uint16_t>(pixels.bottom);
   }
 
+  // The pixels that a triangle covers, if they are known; else 0. Bit kCoveredWidth * y + x: the pixel at (x, y) from
+  // the left and the top of the bounds.
+  static constexpr int32_t kCoveredWidth = 8;
+  static constexpr int32_t kCoveredHeight = 4;
+  [[nodiscard]] uint32_t covered_pixels() const { return polygon_count == 0 ? offset_or_pixels : 0; }
+  void set_covered_pixels(uint32_t pixels) { offset_or_pixels = pixels; }
+
   // Appends the outline to the list of polygon vertices.
   void set_outline(std::span<const FixedPosition> outline, std::vector<FixedPosition>& polygon_vertices) {
-    polygon_offset = static_cast<uint32_t>(polygon_vertices.size());
+    offset_or_pixels = static_cast<uint32_t>(polygon_vertices.size());
     polygon_count = static_cast<uint8_t>(outline.size());
     polygon_vertices.insert(polygon_vertices.end(), outline.begin(), outline.end());
   }
@@ -81,7 +90,7 @@ struct SetupPrimitive {
     if (polygon_count == 0) {
       return vertices;
     }
-    return std::span{polygon_vertices}.subspan(polygon_offset, polygon_count);
+    return std::span{polygon_vertices}.subspan(offset_or_pixels, polygon_count);
   }
 };
 

@@ -21,6 +21,7 @@
 
 #include "renderer/coverage.h"
 #include "renderer/edge_function.h"
+#include "renderer/primitive_setup.h"
 
 namespace fillrule::renderer::internal {
 
@@ -233,6 +234,19 @@ template <typename L, uint32_t kSamples>
   const FixedPosition third{area > 0 ? c.x_fixed : b.x_fixed, area > 0 ? c.y_fixed : b.y_fixed};
   RunWriter writer(rect, list);
   add_spans<L, kSamples>(a, second, third, samples, subpixel_bits, writer);
+  list.count = writer.count;
+}
+
+// Adds those of a triangle's covered pixels (SetupPrimitive::covered_pixels()) that are within the rectangle, of one
+// sample each.
+[[gnu::always_inline]] inline void add_covered(const SetupPrimitive& triangle, const PixelRect& rect, RunList& list) {
+  RunWriter writer(rect, list);
+  const uint32_t columns = ((1U << rect.width()) - 1) << (rect.left - triangle.left);
+  const auto first_row = static_cast<uint32_t>(rect.top - triangle.top);
+  uint32_t rest = triangle.covered_pixels() >> first_row * SetupPrimitive::kCoveredWidth;
+  for (int32_t row = 0; row < rect.height(); ++row, rest >>= SetupPrimitive::kCoveredWidth) {
+    writer.add(0, row, (rest & columns & 0xFF) >> (rect.left - triangle.left));
+  }
   list.count = writer.count;
 }
 

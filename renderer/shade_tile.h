@@ -179,6 +179,12 @@ class ShadingQueue {
                                             const PixelRect& rect) {
     if (primitive.polygon_count == 0 && draw_.coverage_rule.fill == Fill::kEdgeFunction) {
       if constexpr (kHasRuns) {
+        if (primitive.covered_pixels() != 0) {
+          attachments_.load(rect);
+          runs_.primitive = count_;
+          add_covered(primitive, rect, runs_);
+          return;
+        }
         if (intersection(rect, draw_.span_pixels) == rect && is_small(primitive.vertices, rect)) {
           attachments_.load(rect);
           runs_.primitive = count_;
@@ -224,19 +230,19 @@ class ShadingQueue {
 };
 
 // Coverage is TileCoverage for draws of one sample a pixel, which are much the faster for it, and else
-// SampledTileCoverage.
+// SampledTileCoverage. is_first: these are the first chunks of the draw.
 template <typename L, typename Coverage, Program P>
 [[gnu::always_inline]] inline void shade_tile(const PreparedDraw& draw, const P& program,
                                               std::span<const ClipPosition> positions_clip,
                                               const PixelRect& tile_pixels, uint32_t tile,
-                                              std::span<const PrimitiveChunk> chunks) {
+                                              std::span<const PrimitiveChunk> chunks, bool is_first) {
   static thread_local TileAttachments::Storage storage;
   static thread_local std::vector<TileEntry> entries;
   entries.clear();
   for (const PrimitiveChunk& chunk : chunks) {
     chunk.append_to(entries, tile);
   }
-  TileAttachments attachments(draw, tile_pixels, storage);
+  TileAttachments attachments(draw, tile_pixels, is_first, storage);
   ShadingQueue<L, Coverage, P> queue(draw, program, positions_clip, tile_pixels, attachments);
   for (size_t i = 0; i < entries.size(); ++i) {
     prefetch(program, positions_clip, entries, i);

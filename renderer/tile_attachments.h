@@ -3,6 +3,9 @@
 // Rows of a wide attachment are so far apart that those of one tile fall on the same few lines of a cache. So a
 // block's values are copied out when it is first touched and back when the tile is done; in between the tile's rows
 // follow each other, and no row of lanes can reach beyond the target.
+//
+// An attachment that is to be cleared is so on the way: what was in its blocks is not read, and the clear value is
+// written by whoever draws the tile, where nothing was drawn too.
 #pragma once
 
 #include <algorithm>
@@ -18,6 +21,28 @@
 
 namespace fillrule::renderer::internal {
 
+// Sets the pixels of the rectangle that are in the target to the attachment's clear value, if it has one.
+template <typename Buffer>
+void clear_rows(const DrawInput& input, const PixelRect& pixels, const Buffer& attachment) {
+  if (!attachment.clear || attachment.values.empty()) {
+    return;
+  }
+  const size_t width = input.target_width;
+  const size_t left = std::min(static_cast<size_t>(pixels.left), width);
+  const size_t columns = std::min(static_cast<size_t>(pixels.right), width) - left;
+  const size_t bottom = std::min<size_t>(static_cast<size_t>(pixels.bottom), input.target_height);
+  for (auto row = static_cast<size_t>(pixels.top); row < bottom; ++row) {
+    std::fill_n(attachment.values.begin() + static_cast<ptrdiff_t>((row * width + left) * input.samples),
+                columns * input.samples, *attachment.clear);
+  }
+}
+
+// The same of both attachments.
+inline void clear_attachments(const DrawInput& input, const PixelRect& pixels) {
+  clear_rows(input, pixels, input.depth);
+  clear_rows(input, pixels, input.color);
+}
+
 class TileAttachments {
  public:
   // The values from some pixel of the tile on: (y * kTileSize + x) * samples + sample. Only of attachments in use.
@@ -32,8 +57,13 @@ class TileAttachments {
     std::vector<uint32_t> colors;
   };
 
-  TileAttachments(const PreparedDraw& draw, const PixelRect& tile_pixels, Storage& storage)
-      : input_(draw.input), left_(tile_pixels.left), top_(tile_pixels.top), uses_depth_(draw.depth.tests()) {
+  // is_first: the tile is drawn for the first time in this draw.
+  TileAttachments(const PreparedDraw& draw, const PixelRect& tile_pixels, bool is_first, Storage& storage)
+      : input_(draw.input),
+        left_(tile_pixels.left),
+        top_(tile_pixels.top),
+        uses_depth_(draw.depth.tests()),
+        clears_(is_first && draw.input.clears()) {
     // A run of pixels may begin in the tile's last one.
     const size_t values = (size_t{kTileSize} * kTileSize + kBlockSize) * input_.samples;
     if (uses_depth_ && storage.depths.size() < values) {
@@ -71,6 +101,9 @@ class TileAttachments {
 
   // What was drawn, to the attachments.
   void store() {
+    if (clears_) {
+      clear_rest();
+    }
     for (uint64_t rest = loaded_; rest != 0; rest &= rest - 1) {
       copy<true>(static_cast<uint32_t>(std::countr_zero(rest)));
     }
@@ -98,6 +131,22 @@ class TileAttachments {
     }
   }
 
+  // The blocks in which nothing was drawn, row by row of them.
+  void clear_rest() const {
+    constexpr uint64_t kRow = 0xFF;
+    for (uint32_t row = 0; row < kBlocksInRow; ++row) {
+      const uint64_t loaded = loaded_ >> row * kBlocksInRow & kRow;
+      const int32_t top = top_ + static_cast<int32_t>(row) * kBlockSize;
+      for (uint64_t rest = loaded ^ kRow; rest != 0;) {
+        const int32_t first = std::countr_zero(rest);
+        const int32_t count = std::countr_one(rest >> static_cast<uint32_t>(first));
+        rest &= ~uint64_t{0} << static_cast<uint32_t>(first + count);
+        const int32_t left = left_ + first * kBlockSize;
+        clear_attachments(input_, {left, top, left + count * kBlockSize, top + kBlockSize});
+      }
+    }
+  }
+
   // A block's pixels that are in the target; to the attachments or from them.
   template <bool kStore>
   void copy(uint32_t number) const {
@@ -105,21 +154,29 @@ class TileAttachments {
     const int32_t y = top_ + static_cast<int32_t>(number / kBlocksInRow) * kBlockSize;
     const Values values = at(x, y);
     if (uses_depth_) {
-      copy_rows<kStore>(x, y, values.depths, input_.depth.values);
+      copy_rows<kStore>(x, y, values.depths, input_.depth);
+    } else if (kStore && clears_) {
+      clear_rows(input_, {x, y, x + kBlockSize, y + kBlockSize}, input_.depth);
     }
     if (!input_.color.values.empty()) {
-      copy_rows<kStore>(x, y, values.colors, input_.color.values);
+      copy_rows<kStore>(x, y, values.colors, input_.color);
     }
   }
 
-  template <bool kStore, typename T>
-  void copy_rows(int32_t x, int32_t y, T* block, std::span<T> attachment) const {
+  template <bool kStore, typename T, typename Buffer>
+  void copy_rows(int32_t x, int32_t y, T* block, const Buffer& attachment) const {
+    if (!kStore && clears_ && attachment.clear) {
+      for (int32_t row = 0; row < kBlockSize; ++row, block += kTileSize * input_.samples) {
+        std::fill_n(block, kBlockSize * input_.samples, *attachment.clear);
+      }
+      return;
+    }
     const auto column = static_cast<size_t>(x);
     const size_t samples = input_.samples;
     const size_t width = input_.target_width;
     const size_t rows = std::min<size_t>(kBlockSize, input_.target_height - static_cast<size_t>(y));
     const size_t count = std::min<size_t>(kBlockSize, width - column) * samples;
-    T* values = attachment.data() + (static_cast<size_t>(y) * width + column) * samples;
+    T* values = attachment.values.data() + (static_cast<size_t>(y) * width + column) * samples;
     for (size_t row = 0; row < rows; ++row, values += width * samples, block += kTileSize * samples) {
       if (count == kBlockSize) {
         copy_values<kStore>(block, values, kBlockSize);  // of a size that the compiler knows
@@ -138,6 +195,7 @@ class TileAttachments {
   int32_t left_;
   int32_t top_;
   bool uses_depth_;
+  bool clears_;
   uint64_t loaded_ = 0;  // bit i: block i is here
   float* depths_;
   uint32_t* colors_;

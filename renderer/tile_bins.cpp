@@ -13,6 +13,10 @@ PixelRect TileGrid::pixels(uint32_t tile) const {
   return {left, top, left + kTileSize, top + kTileSize};
 }
 
+PixelRect TileGrid::pixels() const {
+  return {tiles_.left * kTileSize, tiles_.top * kTileSize, tiles_.right * kTileSize, tiles_.bottom * kTileSize};
+}
+
 void PrimitiveChunk::clear() {
   count_ = 0;
   polygon_vertices_.clear();

@@ -19,6 +19,8 @@ class TileGrid {
   explicit TileGrid(const PixelRect& pixels);
   [[nodiscard]] uint32_t count() const { return static_cast<uint32_t>(tiles_.width() * tiles_.height()); }
   [[nodiscard]] PixelRect pixels(uint32_t tile) const;
+  // Of all tiles, which may reach beyond the target.
+  [[nodiscard]] PixelRect pixels() const;
   // In tiles from the grid's first one; `pixels` must be within the grid's and not be empty.
   [[nodiscard]] PixelRect tiles(const PixelRect& pixels) const {
     const auto tile = [](int32_t pixel) { return static_cast<int32_t>(static_cast<uint32_t>(pixel) / kTileSize); };

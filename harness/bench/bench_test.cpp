@@ -35,6 +35,9 @@ std::vector<Scene> small_scenes() {
   Scene flat = random_triangles_scene(200, 60, 100);
   flat.is_flat = true;
   scenes.push_back(sampled);
+  Scene tiny_sampled = grid_scene(2'000, 100);
+  tiny_sampled.samples = 4;
+  scenes.push_back(tiny_sampled);
   scenes.push_back(flat);
   return scenes;
 }

@@ -90,8 +90,8 @@ renderer::DrawInput input_of(const Scene& scene, Attachments& attachments) {
                     .scissor = {.extent = {scene.target_size, scene.target_size}},
                     .cull_mode = scene.cull_mode,
                     .depth_test = true},
-          .depth = {.values = attachments.depth},
-          .color = {.values = attachments.color}};
+          .depth = {.values = attachments.depth, .clear = 1.0F},
+          .color = {.values = attachments.color, .clear = 0}};
 }
 
 Result<void> draw_scene(const Scene& scene, Attachments& attachments, const renderer::Options& options) {
@@ -125,8 +125,6 @@ Party make_renderer(const Scene& scene, uint32_t threads, renderer::Isa isa) {
   attachments->color.resize(values);
   attachments->depth.resize(values);
   const auto draw = [&scene, attachments, threads, isa] {
-    std::fill(attachments->color.begin(), attachments->color.end(), 0);
-    std::fill(attachments->depth.begin(), attachments->depth.end(), 1.0F);
     return draw_scene(scene, *attachments, {.threads = threads, .isa = isa});
   };
   return {.name = "renderer", .draw = draw, .picture = [&scene, attachments] {
