@@ -34,33 +34,26 @@ class ChunkBuilder {
 
   // The primitives [first, end).
   void add(uint32_t first, uint32_t end) const {
-    if (draw_.shape == Shape::kPolygon) {
-      dispatch(
-          draw_.isa, [&]<typename L>() __attribute__((always_inline)) { add_polygons<L>(first, end); });
-      return;
-    }
-    for (uint32_t number = first; number < end; ++number) {
-      add(number, draw_.assembly.vertices(number));
-    }
+    dispatch(
+        draw_.isa, [&]<typename L>() __attribute__((always_inline)) {
+          if constexpr (L::kWidth > 1) {
+            if (draw_.shape == Shape::kPolygon) {
+              add_polygons<L>(first, end);
+              return;
+            }
+          }
+          for (uint32_t number = first; number < end; ++number) {
+            add(number, draw_.assembly.vertices(number));
+          }
+        });
   }
 
  private:
   template <typename L>
   [[gnu::always_inline]] void add_polygons(uint32_t first, uint32_t end) const {
-    if constexpr (L::kWidth == 1) {
-      for (uint32_t number = first; number < end; ++number) {
-        const std::array<uint32_t, 3> vertices = draw_.assembly.vertices(number);
-        if (is_whole(vertices)) {
-          add_whole_triangle(number, vertices);
-        } else {
-          add(number, vertices);
-        }
-      }
-    } else {
-      constexpr uint32_t kAtOnce = internal::TriangleLanes<L>::kTriangles;
-      for (; first < end; first += kAtOnce) {
-        add_lanes<L>(first, std::min(kAtOnce, end - first));
-      }
+    constexpr uint32_t kAtOnce = internal::TriangleLanes<L>::kTriangles;
+    for (; first < end; first += kAtOnce) {
+      add_lanes<L>(first, std::min(kAtOnce, end - first));
     }
   }
 
@@ -78,14 +71,12 @@ class ChunkBuilder {
       whole |= uint64_t{is_whole(indices[i])} << i;
     }
     lanes.set_up(draw_.setup, {draw_.has_tiny_coverage, draw_.samples().front().sample_fixed}, count);
-    const uint64_t others = ~whole & ~uint64_t{0} >> (Lanes::kTriangles - count);
-    for (uint64_t rest = (whole & (lanes.visible() | lanes.too_large())) | others; rest != 0; rest &= rest - 1) {
+    const uint64_t by_lanes = whole & lanes.visible();
+    const uint64_t one_by_one = (~whole | lanes.too_large()) & ~uint64_t{0} >> (Lanes::kTriangles - count);
+    for (uint64_t rest = by_lanes | one_by_one; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<uint32_t>(std::countr_zero(rest));
-      const uint64_t bit = rest & -rest;
-      if ((whole & lanes.visible() & bit) != 0) {
+      if ((by_lanes >> i & 1U) != 0) {
         lanes.get(i, append(first + i, indices[i]));
-      } else if ((whole & bit) != 0) {
-        add_whole_triangle(first + i, indices[i]);
       } else {
         add(first + i, indices[i]);
       }
@@ -113,14 +104,7 @@ class ChunkBuilder {
     return (a.clip_code | b.clip_code | c.clip_code) == 0 && (a.cull_code & b.cull_code & c.cull_code) == 0;
   }
 
-  // Nearly all of most draws: set up where it is to stay, as copies would be a good part of the work.
-  void add_whole_triangle(uint32_t number, const std::array<uint32_t, 3>& vertices) const {
-    if (!setup_whole_triangle(draw_.setup, append(number, vertices))) {
-      chunk_.drop_last();
-    }
-  }
-
-  // A triangle that is not set up.
+  // A triangle that is not set up, where it is to stay: copies would be a good part of the work.
   [[nodiscard]] SetupPrimitive& append(uint32_t number, const std::array<uint32_t, 3>& vertices) const {
     SetupPrimitive& triangle = chunk_.append();
     for (size_t i = 0; i < 3; ++i) {

@@ -54,7 +54,6 @@ class PrimitiveChunk {
   [[nodiscard]] const std::vector<FixedPosition>& polygon_vertices() const { return polygon_vertices_; }
 
   SetupPrimitive& append() { return room_[count_++] = {}; }
-  void drop_last() { --count_; }
   void sort_into(const TileGrid& grid);
 
   // An estimate, once it is sorted: the areas of the bounding boxes in pixels, some more for each primitive.

@@ -40,12 +40,12 @@ class TriangleLanes {
   // Of the first `count` of them, which must have been put.
   [[gnu::always_inline]] void set_up(const SetupState& state, const TinyCoverage& tiny, uint32_t count) {
     visible_ = front_facing_ = too_large_ = 0;
+    for (uint32_t i = count; i % L::kWidth != 0; ++i) {
+      put(i, {}, {}, {});  // lanes of the last vector that are none of the triangles
+    }
     for (uint32_t first = 0; first < count; first += L::kWidth) {
       set_up_lanes(state, tiny, first);
     }
-    const uint64_t present = ~uint64_t{0} >> (kTriangles - count);
-    visible_ &= present;
-    too_large_ &= present;
   }
 
   // Bit i: triangle i may cover a sample.
@@ -95,8 +95,8 @@ class TriangleLanes {
 
   [[gnu::always_inline]] static uint64_t bits_of(const typename L::Mask& mask) { return L::bits_of(mask); }
 
-  // 1, -1 or 0, as a float: the sign of twice the signed area. Exact where coordinates differ by less than 2^26: then
-  // both products are less than 2^52, and a float of a whole number is only 0 if that is.
+  // Twice the signed area (edge_function.h), rounded to a float. The sign is exact where coordinates differ by less
+  // than 2^26: then both products are less than 2^52, and a whole number is only rounded to 0 if it is.
   [[gnu::always_inline]] static typename L::Float area(const Corner& a, const Corner& b, const Corner& c) {
     const auto product = [](const Int& p, const Int& q) __attribute__((always_inline)) {
       return L::to_double(p) * L::to_double(q);
@@ -143,10 +143,9 @@ class TriangleLanes {
       const auto is_tiny = (length < kTinyExtent) & (pixels.right - pixels.left <= kTinyWidth) &
                            (pixels.bottom - pixels.top <= kTinyHeight);
       const auto turned = doubled_area < L::all(0.0F);
-      const Corner second{turned ? c.x : b.x, turned ? c.y : b.y};
-      const Corner third{turned ? b.x : c.x, turned ? b.y : c.y};
-      covered =
-          covered_pixels({a, second, third}, pixels, is_tiny, tiny.sample_fixed, state.transform.subpixel_bits());
+      const std::array<Corner, 3> triangle{
+          {a, {turned ? c.x : b.x, turned ? c.y : b.y}, {turned ? b.x : c.x, turned ? b.y : c.y}}};
+      covered = covered_pixels(triangle, pixels, is_tiny, tiny.sample_fixed, state.transform.subpixel_bits());
       visible &= ~bits_of(is_tiny & (covered == 0));
     }
     L::store(pixels.left, bounds_[0].data() + first);
@@ -173,12 +172,14 @@ class TriangleLanes {
     Int step_y;
   };
 
-  // At the first pixel of each rectangle, of triangles with positive area.
+  // At the first pixel of each rectangle, of triangles with positive area. Those that are not tiny have steps of 0,
+  // so that nothing overflows.
   [[gnu::always_inline]] static Edge edge(const Corner& from, const Corner& to, const Bounds& pixels,
-                                          const FixedPosition& sample_fixed, uint32_t subpixel_bits) {
+                                          const Int& is_tiny, const FixedPosition& sample_fixed,
+                                          uint32_t subpixel_bits) {
     const auto bits = static_cast<int32_t>(subpixel_bits);
-    const Int dx = to.x - from.x;
-    const Int dy = to.y - from.y;
+    const Int dx = is_tiny & (to.x - from.x);
+    const Int dy = is_tiny & (to.y - from.y);
     const Int x = (pixels.left << bits) + sample_fixed.x_fixed - from.x;
     const Int y = (pixels.top << bits) + sample_fixed.y_fixed - from.y;
     const Int is_top_left = (dy < 0) | ((dy == 0) & (dx > 0));  // -1 or 0
@@ -189,9 +190,9 @@ class TriangleLanes {
   [[gnu::always_inline]] static Int covered_pixels(const std::array<Corner, 3>& triangle, const Bounds& pixels,
                                                    const Int& is_tiny, const FixedPosition& sample_fixed,
                                                    uint32_t subpixel_bits) {
-    Edge edge0 = edge(triangle[0], triangle[1], pixels, sample_fixed, subpixel_bits);
-    Edge edge1 = edge(triangle[1], triangle[2], pixels, sample_fixed, subpixel_bits);
-    Edge edge2 = edge(triangle[2], triangle[0], pixels, sample_fixed, subpixel_bits);
+    Edge edge0 = edge(triangle[0], triangle[1], pixels, is_tiny, sample_fixed, subpixel_bits);
+    Edge edge1 = edge(triangle[1], triangle[2], pixels, is_tiny, sample_fixed, subpixel_bits);
+    Edge edge2 = edge(triangle[2], triangle[0], pixels, is_tiny, sample_fixed, subpixel_bits);
     const Int widths = is_tiny & (pixels.right - pixels.left);
     const Int heights = is_tiny & (pixels.bottom - pixels.top);
     const Int columns = (1 << widths) - 1;  // of a row, those in the rectangle
