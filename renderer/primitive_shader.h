@@ -59,7 +59,7 @@ struct PrimitiveShader {
     uint32_t landed = 0;
     for (uint32_t rest = covered & draw.input.state.sample_mask; rest != 0; rest &= rest - 1) {
       const auto sample = static_cast<uint32_t>(std::countr_zero(rest));
-      landed |= static_cast<uint32_t>(lands(x, y, sample, values.depths[sample])) << sample;
+      landed |= static_cast<uint32_t>(lands(x, y, sample, values.depths)) << sample;
     }
     if (landed == 0) {
       return;
@@ -84,9 +84,10 @@ struct PrimitiveShader {
  private:
   [[nodiscard]] WindowOffset location(uint32_t sample) const { return draw.sample_locations[sample].from_centre(); }
 
-  [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample, float& stored) const {
+  // `stored_depths`: of the pixel's samples; null where none are in use.
+  [[nodiscard]] bool lands(int32_t x, int32_t y, uint32_t sample, float* stored_depths) const {
     return !draw.depth.tests() ||
-           draw.depth.lands(primitive.interpolation.depth_at(x, y, location(sample)), true, stored);
+           draw.depth.lands(primitive.interpolation.depth_at(x, y, location(sample)), true, stored_depths[sample]);
   }
 
   void emit_fragment(const Fragment& fragment, [[maybe_unused]] uint32_t* colors) const {
