@@ -35,6 +35,10 @@ struct BlockShader {
       for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
         const PrimitiveColors<L, P> colors(shader);
         const auto x_from_anchor = colors.x_from_anchor(block.x + column);
+        if constexpr (LanePairs<L>::kExist) {
+          colors.write_row_pairs(x_from_anchor, block.y, landed, values.colors);
+          continue;
+        }
         const uint64_t own = landed & column_mask(column);
         for (uint64_t rest = own; rest != 0;) {
           const int32_t row = std::countr_zero(rest) / kBlockSize;
@@ -98,7 +102,7 @@ struct BlockShader {
       const auto test_row = [&](auto row) __attribute__((always_inline)) {
         constexpr int32_t kRow = decltype(row)::value;
         const double depth_row = depth.step_y * (block.y + kRow - shader.primitive.interpolation.anchor_y);
-        const typename L::Mask mask = kIsFull ? L::mask_of(kAllLanes) : row_mask<kRow>(block.mask, column);
+        const typename L::Some mask = kIsFull ? L::some(kAllLanes) : row_mask<kRow>(block.mask, column);
         landed |= uint64_t{test_depths<L, kIsUsual>(shader.draw.depth, depth_column + L::all(depth_row), mask,
                                                     depths + ptrdiff_t{kRow} * kTileSize + column)}
                   << (kRow * kBlockSize + column);
@@ -122,12 +126,12 @@ struct BlockShader {
 
   // A row of a block's mask, from the column on.
   template <int32_t kRow>
-  [[gnu::always_inline]] static typename L::Mask row_mask(uint64_t mask, int32_t column) {
+  [[gnu::always_inline]] static typename L::Some row_mask(uint64_t mask, int32_t column) {
     constexpr auto kFirst = static_cast<uint32_t>(kRow * kBlockSize);
     if constexpr (L::kWidth == kBlockSize) {
-      return L::template mask_from<kFirst>(mask);
+      return L::template some_from<kFirst>(mask);
     } else {
-      return L::template mask_from<kFirst>(mask >> static_cast<uint32_t>(column));
+      return L::template some_from<kFirst>(mask >> static_cast<uint32_t>(column));
     }
   }
 
@@ -136,6 +140,14 @@ struct BlockShader {
     const PrimitiveColors<L, P> colors(shader);
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
       const auto x_from_anchor = colors.x_from_anchor(block.x + column);
+      if constexpr (LanePairs<L>::kExist) {
+        for (int32_t row = 0; row < kBlockSize; row += 2, stored += ptrdiff_t{2} * kTileSize) {
+          const auto pair = colors.packed_pair(x_from_anchor, block.y + row);
+          L::store(LanePairs<L>::first_of(pair), stored);
+          L::store(LanePairs<L>::second_of(pair), stored + kTileSize);
+        }
+        continue;
+      }
       for (int32_t row = 0; row < kBlockSize; ++row) {
         L::store(colors.packed(x_from_anchor, block.y + row), stored + ptrdiff_t{row} * kTileSize + column);
       }
@@ -155,14 +167,29 @@ struct BlockShader {
     const PrimitiveColors<L, P> colors(shader);
     for (uint32_t column = 0; column < kBlockSize; column += L::kWidth) {
       const auto x_from_anchor = colors.x_from_anchor(block.x + static_cast<int32_t>(column));
-      for (int32_t row = 0; row < kBlockSize; ++row) {
+      const auto write_row = [&](const typename L::Int& packed, size_t row) __attribute__((always_inline)) {
         constexpr uint32_t kAllSamples = ~0U >> (32 - L::kWidth * kSamples);
-        const uint32_t bits = landed[static_cast<size_t>(row)] >> (column * kSamples) & kAllSamples;
-        uint32_t* const stored = values.colors + (static_cast<size_t>(row) * kTileSize + column) * kSamples;
+        const uint32_t bits = landed[row] >> (column * kSamples) & kAllSamples;
+        uint32_t* const stored = values.colors + (row * kTileSize + column) * kSamples;
         if (bits == kAllSamples) {
-          write_samples<L, kSamples, true>(colors.packed(x_from_anchor, block.y + row), bits, stored);
+          write_samples<L, kSamples, true>(packed, bits, stored);
         } else if (bits != 0) {
-          write_samples<L, kSamples, false>(colors.packed(x_from_anchor, block.y + row), bits, stored);
+          write_samples<L, kSamples, false>(packed, bits, stored);
+        }
+      };
+      if constexpr (LanePairs<L>::kExist) {
+        for (size_t row = 0; row < kBlockSize; row += 2) {
+          if ((landed[row] | landed[row + 1]) != 0) {
+            const auto pair = colors.packed_pair(x_from_anchor, block.y + static_cast<int32_t>(row));
+            write_row(LanePairs<L>::first_of(pair), row);
+            write_row(LanePairs<L>::second_of(pair), row + 1);
+          }
+        }
+      } else {
+        for (size_t row = 0; row < kBlockSize; ++row) {
+          if (landed[row] != 0) {
+            write_row(colors.packed(x_from_anchor, block.y + static_cast<int32_t>(row)), row);
+          }
         }
       }
     }

@@ -113,7 +113,7 @@ inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolati
 template <typename L>
 [[gnu::always_inline]] inline typename L::Int packed_unorm8(const Color<L>& color) {
   const auto codes = [](const typename L::Float& value) __attribute__((always_inline)) {
-    return L::lesser(L::greater(value, L::all(0.0F)), L::all(1.0F)) * L::all(255.0F);
+    return L::lesser(L::all(1.0F), value) * L::all(255.0F);  // what is less than 0, and NaN, stays so: see there
   };
   return L::packed_bytes(codes(color[0]), codes(color[1]), codes(color[2]), codes(color[3]));
 }

@@ -115,16 +115,10 @@ class DepthStage {
   [[nodiscard]] bool tests() const { return test_ || bounds_test_; }
 
   // Which of the fragments of these depths land on samples that hold `stored`, of those in `fragments`; those that do
-  // write their depths to it. kIsUsual: the stage is known to be so.
-  template <typename L = ScalarLanes, bool kIsUsual = false>
+  // write their depths to it.
+  template <typename L = ScalarLanes>
   [[gnu::always_inline]] typename L::Mask lands(const typename L::Double& depth_framebuffer,
                                                 typename L::Mask fragments, typename L::Float& stored) const {
-    if constexpr (kIsUsual) {
-      const typename L::Float depth = clamped_depth<L>(depth_framebuffer);
-      fragments &= depth < stored;
-      stored = fragments ? depth : stored;
-      return fragments;
-    }
     if (bounds_test_) {
       fragments &= stored >= L::all(bounds_.min);
       fragments &= stored <= L::all(bounds_.max);
@@ -138,6 +132,13 @@ class DepthStage {
       stored = fragments ? depth : stored;
     }
     return fragments;
+  }
+
+  // The same of the usual test, of what is stored from `stored` on. Bit by bit: which land.
+  template <typename L>
+  [[gnu::always_inline]] uint32_t land_as_usual(const typename L::Double& depth_framebuffer,
+                                                const typename L::Some& fragments, float* stored) const {
+    return L::store_lesser(fragments, clamped_depth<L>(depth_framebuffer), stored);
   }
 
   // As the attachment would hold it. Where depths are not clamped to the viewport's range they are clamped to [0, 1],

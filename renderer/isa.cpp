@@ -31,11 +31,11 @@ bool is_supported(Isa isa) {
     case Isa::kSse41:
       return static_cast<bool>(__builtin_cpu_supports("sse4.1"));
     case Isa::kAvx2:
-      return static_cast<bool>(__builtin_cpu_supports("avx2"));
+      return static_cast<bool>(__builtin_cpu_supports("avx2")) && static_cast<bool>(__builtin_cpu_supports("fma"));
     case Isa::kAvx512:
       break;
   }
-  return static_cast<bool>(__builtin_cpu_supports("avx512f")) &&
+  return is_supported(Isa::kAvx2) && static_cast<bool>(__builtin_cpu_supports("avx512f")) &&
          static_cast<bool>(__builtin_cpu_supports("avx512bw")) &&
          static_cast<bool>(__builtin_cpu_supports("avx512dq")) &&
          static_cast<bool>(__builtin_cpu_supports("avx512vl"));

@@ -30,11 +30,11 @@ template <typename Kernel>
   kernel.template operator()<Sse41Lanes>();
 }
 template <typename Kernel>
-[[gnu::target("avx2")]] void with_avx2(const Kernel& kernel) {
+[[gnu::target("avx2,fma")]] void with_avx2(const Kernel& kernel) {
   kernel.template operator()<Avx2Lanes>();
 }
 template <typename Kernel>
-[[gnu::target("avx2,avx512f,avx512bw,avx512dq,avx512vl")]] void with_avx512(const Kernel& kernel) {
+[[gnu::target("avx2,fma,avx512f,avx512bw,avx512dq,avx512vl")]] void with_avx512(const Kernel& kernel) {
   kernel.template operator()<Avx512Lanes>();
 }
 

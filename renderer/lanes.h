@@ -16,11 +16,13 @@
 #include <immintrin.h>  // declares the builtins
 #endif
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <type_traits>
 #include <utility>
 
 namespace fillrule::renderer {
@@ -61,6 +63,16 @@ struct ScalarLanes {
     return bits;
   }
 
+  // The components of as many four-vectors as there are lanes, which follow each other.
+  static std::array<Float, 4> load_components(const float* vectors) {
+    return {vectors[0], vectors[1], vectors[2], vectors[3]};
+  }
+
+  // a * b + c, rounded once.
+  static Float fused(Float a, Float b, Float c) { return std::fma(a, b, c); }
+  // To the nearest whole number, ties to even; of values beyond 2^51 nothing is asked.
+  static Float to_nearest(Float value) { return to_float((to_double(value) + 0x1.8p52) - 0x1.8p52); }
+
   // The lanes' lowest bytes, lane 0 lowest.
   static uint64_t low_bytes(Int value) { return static_cast<uint64_t>(value) & 0xFFU; }
 
@@ -68,22 +80,41 @@ struct ScalarLanes {
   static Float lesser(Float a, Float b) { return a < b ? a : b; }
   static Float greater(Float a, Float b) { return a > b ? a : b; }
 
+  // Some of the lanes, as what stores by them wants it.
+  using Some = bool;
+  static Some some(uint32_t bits) { return mask_of(bits); }
+  static Mask mask(Some lanes) { return lanes; }
+  template <uint32_t kFirst>
+  static Some some_from(uint64_t bits) {  // the bits from kFirst on
+    return some(static_cast<uint32_t>(bits >> kFirst));
+  }
+  static void store(Some lanes, Int value, uint32_t* values) {
+    *values = lanes ? static_cast<uint32_t>(value) : *values;
+  }
+  // Those that are less than what is stored. Bit by bit: which they were.
+  static uint32_t store_lesser(Some lanes, Float value, float* values) {
+    const bool is_less = lanes && value < *values;
+    *values = is_less ? value : *values;
+    return is_less ? 1 : 0;
+  }
+
+  // Those whose bits are set, one after the other. As many as there are lanes are written, of which the rest is
+  // anything.
+  static void store_packed(uint32_t /*bits*/, Int value, uint32_t* values) { *values = static_cast<uint32_t>(value); }
+
   static bool any(Mask mask) { return mask; }
   static Mask negated(Mask mask) { return !mask; }
   // Bit i: lane i.
   static uint32_t sign_bits(Int value) { return static_cast<uint32_t>(value) >> 31U; }
   static Mask mask_of(uint32_t bits) { return (bits & 1U) != 0; }
   static uint32_t bits_of(Mask mask) { return mask ? 1 : 0; }
-  // The bits from kFirst on.
-  template <uint32_t kFirst>
-  static Mask mask_from(uint64_t bits) {
-    return mask_of(static_cast<uint32_t>(bits >> kFirst));
-  }
 
-  // Four values of 0 to 255, to the nearest whole ones, ties to even, as the bytes of each lane, the first one
-  // lowest.
+  // Four values of 255 at most, to the nearest whole ones, ties to even, as the bytes of each lane, the first one
+  // lowest. 0 of what is less, and of NaN.
   static Int packed_bytes(Float a, Float b, Float c, Float d) {
-    const auto byte = [](Float value) { return bits_of(value + 0x1.8p23F) & 0xFF; };  // no bit is left for a fraction
+    const auto byte = [](Float value) {
+      return bits_of(greater(value, 0.0F) + 0x1.8p23F) & 0xFF;  // no bit is left for a fraction
+    };
     return byte(a) | byte(b) << 8 | byte(c) << 16 | static_cast<Int>(static_cast<uint32_t>(byte(d)) << 24U);
   }
 
@@ -112,15 +143,34 @@ struct ScalarLanes {
   }
 };
 
+// The numbers of the bits that are set in a byte, ascending.
+constexpr std::array<std::array<uint8_t, 16>, 256> numbers_of_bits() {
+  std::array<std::array<uint8_t, 16>, 256> numbers{};
+  for (uint32_t byte = 0; byte < numbers.size(); ++byte) {
+    for (uint32_t bit = 0, count = 0; bit < 8; ++bit) {
+      numbers[byte][count] = static_cast<uint8_t>(bit);
+      count += byte >> bit & 1U;
+    }
+  }
+  return numbers;
+}
+inline constexpr std::array<std::array<uint8_t, 16>, 256> kNumbersOfBits = numbers_of_bits();
+
 template <typename T, uint32_t kBytes>
 struct SimdVector {
   using Type [[gnu::vector_size(kBytes)]] = T;
 };
 
-// kFloatBytes: of a vector of floats. kDoubleBytes: of the vectors that Double is made of, one or two.
+// kFloatBytes: of a vector of floats. kDoubleBytes: of the vectors that Double is made of, one or two; those of 64
+// bytes come with AVX-512, whose masks are bits.
 template <uint32_t kFloatBytes, uint32_t kDoubleBytes>
 struct VectorLanes {
   static constexpr uint32_t kWidth = kFloatBytes / sizeof(float);
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+  static constexpr bool kMasksAreBits = kDoubleBytes == 64;
+#else
+  static constexpr bool kMasksAreBits = false;
+#endif
   static constexpr uint32_t kParts = kWidth * sizeof(double) / kDoubleBytes;
   static_assert(kParts == 1 || kParts == 2);
 
@@ -161,7 +211,9 @@ struct VectorLanes {
     }
   };
 
-  [[gnu::always_inline]] static Float all(float value) { return broadcast<Float>(value); }
+  [[gnu::always_inline]] static Float all(float value) {
+    return broadcast<Float>(value);
+  }
   [[gnu::always_inline]] static Double all(double value) {
     Double result;
     for (Part& part : result.parts) {
@@ -169,11 +221,19 @@ struct VectorLanes {
     }
     return result;
   }
-  [[gnu::always_inline]] static Int numbers() { return numbers(std::make_integer_sequence<int32_t, kWidth>()); }
+  [[gnu::always_inline]] static Int numbers() {
+    return numbers(std::make_integer_sequence<int32_t, kWidth>());
+  }
 
-  [[gnu::always_inline]] static Float load(const float* values) { return loaded<Float>(values); }
-  [[gnu::always_inline]] static Int load(const int32_t* values) { return loaded<Int>(values); }
-  [[gnu::always_inline]] static Int load(const uint32_t* values) { return loaded<Int>(values); }
+  [[gnu::always_inline]] static Float load(const float* values) {
+    return loaded<Float>(values);
+  }
+  [[gnu::always_inline]] static Int load(const int32_t* values) {
+    return loaded<Int>(values);
+  }
+  [[gnu::always_inline]] static Int load(const uint32_t* values) {
+    return loaded<Int>(values);
+  }
   [[gnu::always_inline]] static Double load(const double* values) {
     Double result;
     for (Part& part : result.parts) {  // a copy of the whole would go by way of memory, in halves of vectors
@@ -196,9 +256,25 @@ struct VectorLanes {
                            std::make_integer_sequence<int, kWidth>());
     }
   }
-  [[gnu::always_inline]] static Float to_float(const Int& value) { return __builtin_convertvector(value, Float); }
-  [[gnu::always_inline]] static Double to_double(const Float& value) { return widened<HalfFloat>(value); }
-  [[gnu::always_inline]] static Double to_double(const Int& value) { return widened<HalfInt>(value); }
+  [[gnu::always_inline]] static Float to_float(const Int& value) {
+    return __builtin_convertvector(value, Float);
+  }
+  [[gnu::always_inline]] static Double to_double(const Float& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 32 && kDoubleBytes == 64) {  // which GCC 12 would do in halves
+      return {{__builtin_ia32_cvtps2pd512_mask(value, Part{}, static_cast<uint8_t>(kAllOf512), kCurrentRounding)}};
+    }
+#endif
+    return widened<HalfFloat>(value);
+  }
+  [[gnu::always_inline]] static Double to_double(const Int& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 32 && kDoubleBytes == 64) {
+      return {{__builtin_ia32_cvtdq2pd512_mask(value, Part{}, static_cast<uint8_t>(kAllOf512))}};
+    }
+#endif
+    return widened<HalfInt>(value);
+  }
   [[gnu::always_inline]] static Double magnitude(const Double& value) {
     using Bits = typename SimdVector<int64_t, kDoubleBytes>::Type;
     Double result;
@@ -210,19 +286,63 @@ struct VectorLanes {
     }
     return result;
   }
-  [[gnu::always_inline]] static Int truncated(const Float& value) { return __builtin_convertvector(value, Int); }
+  [[gnu::always_inline]] static Int truncated(const Float& value) {
+    return __builtin_convertvector(value, Int);
+  }
   [[gnu::always_inline]] static Int bits_of(const Float& value) {
     Int bits;
     std::memcpy(&bits, &value, sizeof bits);
     return bits;
   }
 
+  [[gnu::always_inline]] static std::array<Float, 4> load_components(const float* vectors) {
+    // In each quarter of 16 bytes the four-vectors of as many lanes: those of lane i and, if there are eight, i + 4.
+    const auto of_lane = [&](uint32_t lane) __attribute__((always_inline)) {
+      using Four = typename SimdVector<float, 16>::Type;
+      const Four low = loaded<Four>(vectors + size_t{lane} * 4);
+      if constexpr (kWidth == 4) {
+        return low;
+      } else {
+        const Four high = loaded<Four>(vectors + size_t{lane + 4} * 4);
+        return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+      }
+    };
+    const Float a = of_lane(0);
+    const Float b = of_lane(1);
+    const Float c = of_lane(2);
+    const Float d = of_lane(3);
+    const Float ac_low = interleaved<0>(a, c);  // a0 c0 a1 c1
+    const Float ac_high = interleaved<2>(a, c);
+    const Float bd_low = interleaved<0>(b, d);
+    const Float bd_high = interleaved<2>(b, d);
+    return {interleaved<0>(ac_low, bd_low), interleaved<2>(ac_low, bd_low), interleaved<0>(ac_high, bd_high),
+            interleaved<2>(ac_high, bd_high)};
+  }
+
+  [[gnu::always_inline]] static Float fused(const Float& a, const Float& b, const Float& c) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 32) {
+      return __builtin_ia32_vfmaddps256(a, b, c);
+    }
+#endif
+    Float result;
+    for (uint32_t lane = 0; lane < kWidth; ++lane) {
+      result[lane] = std::fma(a[lane], b[lane], c[lane]);
+    }
+    return result;
+  }
+  [[gnu::always_inline]] static Float to_nearest(const Float& value) {
+    return to_float((to_double(value) + all(0x1.8p52)) - all(0x1.8p52));
+  }
+
   [[gnu::always_inline]] static Float lesser(const Float& a, const Float& b) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
     if constexpr (kFloatBytes == 16) {
       return __builtin_ia32_minps(a, b);
-    } else {
+    } else if constexpr (kFloatBytes == 32) {
       return __builtin_ia32_minps256(a, b);
+    } else {
+      return __builtin_ia32_minps512_mask(a, b, a, kAllOf512, kCurrentRounding);
     }
 #else
     return a < b ? a : b;
@@ -232,12 +352,85 @@ struct VectorLanes {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
     if constexpr (kFloatBytes == 16) {
       return __builtin_ia32_maxps(a, b);
-    } else {
+    } else if constexpr (kFloatBytes == 32) {
       return __builtin_ia32_maxps256(a, b);
+    } else {
+      return __builtin_ia32_maxps512_mask(a, b, a, kAllOf512, kCurrentRounding);
     }
 #else
     return a > b ? a : b;
 #endif
+  }
+
+  using Some = std::conditional_t<kMasksAreBits, uint8_t, Mask>;
+  [[gnu::always_inline]] static Some some(uint32_t bits) {
+    if constexpr (kMasksAreBits) {
+      return static_cast<Some>(bits);
+    } else {
+      return mask_of(bits);
+    }
+  }
+  [[gnu::always_inline]] static Mask mask(const Some& lanes) {
+    if constexpr (kMasksAreBits) {
+      return mask_of(lanes);
+    } else {
+      return lanes;
+    }
+  }
+  template <uint32_t kFirst>
+  [[gnu::always_inline]] static Some some_from(uint64_t bits) {
+    if constexpr (kMasksAreBits || kFloatBytes == 16) {
+      return some(static_cast<uint32_t>(bits >> kFirst));
+    } else {
+      // Each lane moves its own bit to the sign.
+      const auto half = static_cast<int32_t>(bits >> (kFirst & 32U));
+      return (((half + Int{}) << (31 - static_cast<int32_t>(kFirst & 31U) - numbers())) < 0);
+    }
+  }
+  [[gnu::always_inline]] static void store(const Some& lanes, const Int& value, uint32_t* values) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kMasksAreBits) {
+      __builtin_ia32_storedqusi256_mask(reinterpret_cast<int32_t*>(values), value, lanes);
+      return;
+    }
+#endif
+    if constexpr (!kMasksAreBits) {
+      store(lanes ? value : load(values), values);
+    }
+  }
+  [[gnu::always_inline]] static uint32_t store_lesser(const Some& lanes, const Float& value, float* values) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kMasksAreBits) {
+      constexpr int kLess = 1;
+      const auto lesser = static_cast<Some>(__builtin_ia32_cmpps256_mask(value, load(values), kLess, lanes));
+      __builtin_ia32_storeups256_mask(values, value, lesser);
+      return lesser;
+    }
+#endif
+    if constexpr (!kMasksAreBits) {
+      const Float stored = load(values);
+      const Mask is_less = lanes & (value < stored);
+      store(is_less ? value : stored, values);
+      return bits_of(is_less);
+    }
+  }
+
+  [[gnu::always_inline]] static void store_packed(uint32_t bits, const Int& value, uint32_t* values) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kMasksAreBits) {
+      store(__builtin_ia32_compresssi256_mask(value, value, static_cast<uint8_t>(bits)), values);
+      return;
+    } else if constexpr (kFloatBytes == 32) {
+      const Int order =
+          __builtin_ia32_pmovzxbd256(loaded<typename SimdVector<char, 16>::Type>(kNumbersOfBits[bits].data()));
+      store(__builtin_ia32_permvarsi256(value, order), values);
+      return;
+    }
+#endif
+    for (uint32_t lane = 0, count = 0; lane < kWidth; ++lane) {
+      values[count] = static_cast<uint32_t>(value[lane]);
+      count += bits >> lane & 1U;
+    }
   }
 
   [[gnu::always_inline]] static bool any(const Mask& mask) {
@@ -260,16 +453,6 @@ struct VectorLanes {
   [[gnu::always_inline]] static uint32_t bits_of(const Mask& mask) {
     return sign_bits(mask);
   }
-  template <uint32_t kFirst>
-  [[gnu::always_inline]] static Mask mask_from(uint64_t bits) {
-    if constexpr (kFloatBytes == 16) {
-      return mask_of(static_cast<uint32_t>(bits >> kFirst));
-    } else {
-      // Each lane moves its own bit to the sign.
-      const auto half = static_cast<int32_t>(bits >> (kFirst & 32U));
-      return (((half + Int{}) << (31 - static_cast<int32_t>(kFirst & 31U) - numbers())) < 0);
-    }
-  }
   [[gnu::always_inline]] static uint32_t sign_bits(const Int& value) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
     if constexpr (kFloatBytes == 16) {
@@ -285,20 +468,28 @@ struct VectorLanes {
 
   [[gnu::always_inline]] static Int packed_bytes(const Float& a, const Float& b, const Float& c, const Float& d) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
+    // Conversions make the least int32 of NaN, and packing 0 of all that is less.
     if constexpr (kFloatBytes == 32) {
       using Words = typename SimdVector<int16_t, 32>::Type;
       const Words ab = __builtin_ia32_packssdw256(__builtin_ia32_cvtps2dq256(a), __builtin_ia32_cvtps2dq256(b));
       const Words cd = __builtin_ia32_packssdw256(__builtin_ia32_cvtps2dq256(c), __builtin_ia32_cvtps2dq256(d));
-      // In each half of the vector four bytes of each value follow those of the last.
-      using Chars = typename SimdVector<char, 32>::Type;
-      const Chars order{0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15,
-                        0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
-      const Chars bytes = __builtin_ia32_pshufb256(__builtin_ia32_packuswb256(ab, cd), order);
+      const auto bytes = __builtin_ia32_pshufb256(__builtin_ia32_packuswb256(ab, cd), order_of_packed_bytes());
+      return reinterpret_cast<const Int&>(bytes);
+    } else if constexpr (kFloatBytes == 64) {
+      using Words = typename SimdVector<int16_t, 64>::Type;
+      using Chars = typename SimdVector<char, 64>::Type;
+      const auto whole = [](const Float& value) __attribute__((always_inline)) {
+        return __builtin_ia32_cvtps2dq512_mask(value, Int{}, kAllOf512, kCurrentRounding);
+      };
+      const Words ab = __builtin_ia32_packssdw512_mask(whole(a), whole(b), Words{}, ~0U);
+      const Words cd = __builtin_ia32_packssdw512_mask(whole(c), whole(d), Words{}, ~0U);
+      const Chars packed = __builtin_ia32_packuswb512_mask(ab, cd, Chars{}, ~uint64_t{0});
+      const Chars bytes = __builtin_ia32_pshufb512_mask(packed, order_of_packed_bytes(), Chars{}, ~uint64_t{0});
       return reinterpret_cast<const Int&>(bytes);
     }
 #endif
     const auto bits = [](const Float& value) __attribute__((always_inline)) {
-      return bits_of(value + all(0x1.8p23F));
+      return bits_of(greater(value, all(0.0F)) + all(0x1.8p23F));
     };
     // The bits of 1.5 * 2^23 are zeros in the lowest byte, and cancel in the others.
     constexpr uint32_t kNoFraction = 0x4B400000;
@@ -342,6 +533,21 @@ struct VectorLanes {
   }
 
  private:
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+  // What the builtins of AVX-512 are told: all lanes, the rounding that there is.
+  static constexpr uint16_t kAllOf512 = 0xFFFF;
+  static constexpr int kCurrentRounding = 4;
+
+  // In each 16 bytes of a packed vector four bytes of each value follow those of the last.
+  [[gnu::always_inline]] static auto order_of_packed_bytes() {
+    const typename SimdVector<char, 16>::Type order{0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
+    const auto repeated = [&]<int... kNumbers>(std::integer_sequence<int, kNumbers...> /*all*/)
+        __attribute__((always_inline)) {
+      return __builtin_shufflevector(order, order, kNumbers % 16 ...);
+    };
+    return repeated(std::make_integer_sequence<int, kFloatBytes>());
+  }
+#endif
   static constexpr uint64_t kEachByte = 0x0101010101010101U;
   static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
 
@@ -350,8 +556,10 @@ struct VectorLanes {
   [[gnu::always_inline]] static Vector broadcast(Value value) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
     const typename SimdVector<Value, 16>::Type first{value};
-    if constexpr (sizeof(Vector) == 64) {
+    if constexpr (sizeof(Vector) == 64 && sizeof(Value) == sizeof(double)) {
       return __builtin_ia32_broadcastsd512(first, Vector{}, 0xFF);
+    } else if constexpr (sizeof(Vector) == 64) {
+      return __builtin_ia32_broadcastss512(first, Vector{}, kAllOf512);
     } else if constexpr (sizeof(Vector) == 32 && sizeof(Value) == sizeof(double)) {
       return __builtin_ia32_vbroadcastsd_pd256(first);
     } else if constexpr (sizeof(Vector) == 32) {
@@ -389,6 +597,16 @@ struct VectorLanes {
     }
     return result;
   }
+  // In each 16 bytes: two values of a from kFirst on, each followed by that of b.
+  template <int kFirst>
+  [[gnu::always_inline]] static Float interleaved(const Float& a, const Float& b) {
+    constexpr int kB = kWidth + kFirst;
+    if constexpr (kWidth == 4) {
+      return __builtin_shufflevector(a, b, kFirst, kB, kFirst + 1, kB + 1);
+    } else {
+      return __builtin_shufflevector(a, b, kFirst, kB, kFirst + 1, kB + 1, kFirst + 4, kB + 4, kFirst + 5, kB + 5);
+    }
+  }
   // Lane i gets lane i ^ kDistance.
   template <uint32_t kDistance>
   [[gnu::always_inline]] static Float exchanged(const Float& value) {
@@ -408,5 +626,27 @@ struct VectorLanes {
 using Sse41Lanes = VectorLanes<16, 16>;
 using Avx2Lanes = VectorLanes<32, 32>;
 using Avx512Lanes = VectorLanes<32, 64>;
+
+// Pairs of vectors as one of twice as many lanes, where an instruction set has those.
+template <typename L>
+struct LanePairs {
+  static constexpr bool kExist = false;
+};
+
+template <>
+struct LanePairs<Avx512Lanes> {
+  static constexpr bool kExist = true;
+  using Lanes = VectorLanes<64, 64>;
+
+  [[gnu::always_inline]] static Lanes::Float pair(const Avx512Lanes::Float& first, const Avx512Lanes::Float& second) {
+    return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+  }
+  [[gnu::always_inline]] static Avx512Lanes::Int first_of(const Lanes::Int& pair) {
+    return __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7);
+  }
+  [[gnu::always_inline]] static Avx512Lanes::Int second_of(const Lanes::Int& pair) {
+    return __builtin_shufflevector(pair, pair, 8, 9, 10, 11, 12, 13, 14, 15);
+  }
+};
 
 }  // namespace fillrule::renderer

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 #include "renderer/coverage.h"
 #include "renderer/isa.h"
@@ -53,7 +56,7 @@ Outcome outcome(Isa isa, const std::array<float, kCount>& values) {
                    result.packed.data() + i);
           // Row 4 of a block whose mask has the lanes' bits there, and others around them.
           const uint64_t mask = uint64_t{0x55AA55} << 24U >> i;
-          L::store(L::template mask_from<32>(mask) ? value : L::all(-1.0F), result.from_mask.data() + i);
+          L::store(L::mask(L::template some_from<32>(mask)) ? value : L::all(-1.0F), result.from_mask.data() + i);
           result.negative |= L::sign_bits(L::numbers() + static_cast<int32_t>(i) - 3) << i;
           result.below |= L::bits_of(below) << i;
           result.bytes |= L::low_bytes(L::numbers() + static_cast<int32_t>(i)) << (8 * i);
@@ -100,6 +103,136 @@ TEST(Lanes, CutOffFractionsAndSigns) {
     EXPECT_EQ(magnitudes, (std::array<float, kCount>{0, 0.9999F, 0.9999F, 1.5F, 7.5F, 31.99F, 64, 1e-40F}))
         << to_string(isa);
     EXPECT_FALSE(std::signbit(magnitudes[0])) << to_string(isa);
+  }
+}
+
+TEST(Lanes, RoundOnce) {
+  // 1 + 2^-23 squared less 1 + 2^-22 is 2^-46, of which rounding the product first leaves nothing.
+  const std::array<float, kCount> factors{1 + 0x1p-23F, 2, -0.5F, 1 + 0x1p-23F, 3, 1e20F, 0, -1};
+  const std::array<float, kCount> sums{-1 - 0x1p-22F, 1, 0, -1, -9, -1e38F, -0.0F, 0};
+  const std::array<float, kCount> values{0.5F, 1.5F, -2.5F, 0.49999997F, 8388607.5F, -0.0F, 1e9F, -1.5000001F};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<float, kCount> fused{};
+    std::array<float, kCount> nearest{};
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            const typename L::Float factor = L::load(factors.data() + i);
+            L::store(L::fused(factor, factor, L::load(sums.data() + i)), fused.data() + i);
+            L::store(L::to_nearest(L::load(values.data() + i)), nearest.data() + i);
+          }
+        });
+    EXPECT_EQ(fused[0], 0x1p-46F) << to_string(isa);
+    for (size_t i = 0; i < kCount; ++i) {
+      EXPECT_EQ(fused[i], std::fma(factors[i], factors[i], sums[i])) << to_string(isa) << i;
+    }
+    EXPECT_EQ(nearest, (std::array<float, kCount>{0, 2, -2, 0, 8388608, 0, 1e9F, -2})) << to_string(isa);
+  }
+}
+
+TEST(Lanes, TakeFourVectorsApart) {
+  std::array<float, size_t{4} * kCount> vectors{};
+  std::iota(vectors.begin(), vectors.end(), 0.0F);
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<std::array<float, kCount>, 4> components{};
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            const auto loaded = L::load_components(vectors.data() + size_t{4} * i);
+            for (size_t component = 0; component < 4; ++component) {
+              L::store(loaded[component], components[component].data() + i);
+            }
+          }
+        });
+    for (size_t i = 0; i < vectors.size(); ++i) {
+      EXPECT_EQ(components[i % 4][i / 4], vectors[i]) << to_string(isa) << i;
+    }
+  }
+}
+
+TEST(Lanes, StoreSomeOfThem) {
+  constexpr uint32_t kSome = 0b10110010;
+  const std::array<int32_t, kCount> values{10, 11, 12, 13, 14, 15, 16, -17};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<uint32_t, kCount> stored{};
+    std::array<uint32_t, size_t{2} * kCount> packed{};
+    size_t count = 0;
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          constexpr uint32_t kAllLanes = (1U << L::kWidth) - 1;
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            const uint32_t bits = kSome >> i & kAllLanes;
+            L::store(L::some(bits), L::load(values.data() + i), stored.data() + i);
+            L::store_packed(bits, L::load(values.data() + i), packed.data() + count);
+            count += static_cast<size_t>(std::popcount(bits));
+          }
+        });
+    EXPECT_EQ(stored, (std::array<uint32_t, kCount>{0, 11, 0, 0, 14, 15, 0, static_cast<uint32_t>(-17)}))
+        << to_string(isa);
+    packed[count] = 0;
+    EXPECT_EQ(count, 4U);
+    EXPECT_EQ(std::vector(packed.begin(), packed.begin() + 4),
+              (std::vector<uint32_t>{11, 14, 15, static_cast<uint32_t>(-17)}))
+        << to_string(isa);
+  }
+}
+
+TEST(Lanes, StoreWhatIsLess) {
+  constexpr uint32_t kSome = 0b01111110;
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::array<float, kCount> values{-1, 0.5F, nan, 1, -0.0F, 3, 0.25F, -1};
+  const std::array<float, kCount> before{0, 1, 1, 1, 0, nan, 0.5F, 0};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<float, kCount> stored = before;
+    uint32_t lesser = 0;
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            lesser |= L::store_lesser(L::some(kSome >> i), L::load(values.data() + i), stored.data() + i) << i;
+          }
+        });
+    EXPECT_EQ(lesser, 0b01000010U) << to_string(isa);
+    for (uint32_t i = 0; i < kCount; ++i) {
+      EXPECT_EQ(std::bit_cast<uint32_t>(stored[i]),
+                std::bit_cast<uint32_t>((lesser >> i & 1U) != 0 ? values[i] : before[i]))
+          << to_string(isa) << i;
+    }
+  }
+}
+
+TEST(Lanes, PackNothingOfWhatIsNoColor) {
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  const std::array<float, kCount> values{-1, -1e30F, -kInfinity, std::nanf(""), -0.4F, 0, 255, -70000};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<int32_t, kCount> packed{};
+    std::array<int32_t, size_t{2} * kCount> of_pairs{};
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            const auto value = L::load(values.data() + i);
+            L::store(L::packed_bytes(value, value, value, L::all(9.0F)), packed.data() + i);
+          }
+          if constexpr (LanePairs<L>::kExist) {
+            using Pairs = LanePairs<L>;
+            const auto pair = Pairs::pair(L::load(values.data()), L::all(7.0F));
+            const auto bytes =
+                Pairs::Lanes::packed_bytes(pair, pair, Pairs::Lanes::all(8.0F), Pairs::Lanes::all(9.0F));
+            L::store(Pairs::first_of(bytes), of_pairs.data());
+            L::store(Pairs::second_of(bytes), of_pairs.data() + kCount);
+          }
+        });
+    for (size_t i = 0; i < kCount; ++i) {
+      EXPECT_EQ(packed[i], values[i] == 255 ? 0x09FFFFFF : 0x09000000) << to_string(isa) << i;
+      if (isa == Isa::kAvx512) {
+        EXPECT_EQ(of_pairs[i], values[i] == 255 ? 0x0908FFFF : 0x09080000) << i;
+        EXPECT_EQ(of_pairs[i + kCount], 0x09080707) << i;
+      }
+    }
   }
 }
 

@@ -55,18 +55,19 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   WorkerPool& workers = own_workers(options.threads);
 
   // Step 1: the vertices.
-  constexpr uint32_t kVerticesAtOnce = 4096;
+  constexpr uint32_t kVerticesAtOnce = 1024;
   constexpr size_t kCostOfVertex = 10;
   static thread_local internal::DrawMemory memory;
   const std::span<ClipPosition> positions_clip = memory.positions_clip.room_for(input.vertices.vertex_count);
   const std::span<WindowVertex> window_vertices = memory.window_vertices.room_for(input.vertices.vertex_count);
   const size_t vertex_runs = (size_t{input.vertices.vertex_count} + kVerticesAtOnce - 1) / kVerticesAtOnce;
   workers.parallel_for(vertex_runs, kCostOfVertex * input.vertices.vertex_count, [&](size_t run) {
-    const size_t end = std::min<size_t>((run + 1) * kVerticesAtOnce, input.vertices.vertex_count);
-    for (auto vertex = static_cast<uint32_t>(run * kVerticesAtOnce); vertex < end; ++vertex) {
+    const auto first = static_cast<uint32_t>(run * kVerticesAtOnce);
+    const uint32_t end = first + std::min(kVerticesAtOnce, input.vertices.vertex_count - first);
+    for (uint32_t vertex = first; vertex < end; ++vertex) {
       positions_clip[vertex] = program.position(vertex);
-      window_vertices[vertex] = prepared->window_vertex(vertex, positions_clip[vertex]);
     }
+    prepared->make_window_vertices(first, end, positions_clip, window_vertices);
   });
 
   // Step 2: batches of primitives, so that bins need not hold all of them: setup in chunks, then tile by tile.

@@ -191,6 +191,26 @@ void set_up_spans(PreparedDraw& prepared) {
 
 }  // namespace
 
+void PreparedDraw::make_window_vertices(uint32_t first, uint32_t end, std::span<const ClipPosition> positions_clip,
+                                        std::span<WindowVertex> window_vertices) const {
+  uint32_t vertex = first;
+  dispatch(
+      isa, [&]<typename L>() __attribute__((always_inline)) {
+        const WindowTransform transform = setup.transform;
+        for (; vertex + L::kWidth <= end; vertex += L::kWidth) {
+          transform.window_vertices<L>(&positions_clip[vertex], &window_vertices[vertex]);
+        }
+      });
+  for (; vertex < end; ++vertex) {
+    window_vertices[vertex] = setup.transform.window_vertex(positions_clip[vertex]);
+  }
+  if (input.clip_distances.count != 0 || input.cull_distances.count != 0) {
+    for (vertex = first; vertex < end; ++vertex) {
+      add_user_distances(input.clip_distances.of(vertex), input.cull_distances.of(vertex), window_vertices[vertex]);
+    }
+  }
+}
+
 Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options) {
   if (const Result<void> checked = check(input, options); !checked) {
     return tl::unexpected(checked.error());

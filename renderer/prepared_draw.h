@@ -83,6 +83,10 @@ struct PreparedDraw {
     return window_vertex;
   }
 
+  // The same of the vertices [first, end), from their places in `positions_clip` to those in `window_vertices`.
+  void make_window_vertices(uint32_t first, uint32_t end, std::span<const ClipPosition> positions_clip,
+                            std::span<WindowVertex> window_vertices) const;
+
   // Into how many that are drawn a primitive may fall: outlined or as points, a polygon has three.
   [[nodiscard]] uint32_t parts_of_primitive() const {
     return shape != Shape::kPolygon && is_polygon_topology(input.vertices.topology) ? 3 : 1;

@@ -20,16 +20,21 @@ struct TilePrimitive {
   VaryingPlane reciprocal_w;
 };
 
-// The values of as many fragments' depths as there are lanes: of those in the mask, which pass the depth test.
+// The values of as many fragments' depths as there are lanes: of those in `values`. Bit by bit: which pass the depth
+// test, which is done.
 template <typename L, bool kIsUsual>
 [[gnu::always_inline]] inline uint32_t test_depths(const DepthStage& depth_stage,
                                                    const typename L::Double& depth_framebuffer,
-                                                   const typename L::Mask& values, float* stored_depths) {
+                                                   const typename L::Some& values, float* stored_depths) {
   const DepthStage stage = depth_stage;
-  typename L::Float stored = L::load(stored_depths);
-  const typename L::Mask mask = stage.template lands<L, kIsUsual>(depth_framebuffer, values, stored);
-  L::store(stored, stored_depths);
-  return L::bits_of(mask);
+  if constexpr (kIsUsual) {
+    return stage.template land_as_usual<L>(depth_framebuffer, values, stored_depths);
+  } else {
+    typename L::Float stored = L::load(stored_depths);
+    const typename L::Mask mask = stage.template lands<L>(depth_framebuffer, L::mask(values), stored);
+    L::store(stored, stored_depths);
+    return L::bits_of(mask);
+  }
 }
 
 // Tests a row of values that lie in vectors side by side: `columns` and `row` are what their depths are the sum of.
@@ -42,7 +47,7 @@ template <typename L, bool kIsUsual, bool kIsFull, size_t kVectors>
   uint32_t landed = 0;
   for (uint32_t vector = 0; vector < kVectors; ++vector) {
     const uint32_t first = vector * L::kWidth;
-    const typename L::Mask values = L::mask_of(kIsFull ? kAllLanes : bits >> first);
+    const typename L::Some values = L::some(kIsFull ? kAllLanes : bits >> first);
     landed |= test_depths<L, kIsUsual>(stage, columns[vector] + row, values, depths + first) << first;
   }
   return landed;

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -37,13 +38,28 @@ inline constexpr int32_t kMaxSpanPixels = 32;  // of the rectangle in which a sm
 inline constexpr uint32_t kMaxRunsOfTriangle =
     kMaxSpanPixels * kMaxSpanPixels / kBlockSize + 1;  // and one that is empty
 
-// The runs with a covered sample, of one triangle after the other.
+// The runs with a covered sample, of one triangle after the other; their members apart, so that lanes write them.
 struct RunList {
-  std::array<PixelRun, size_t{8} * kMaxRunsOfTriangle> runs;
+  static constexpr uint32_t kCapacity = 8 * kMaxRunsOfTriangle;
+
+  std::array<uint32_t, kCapacity> pixels;  // x + (y << 16)
+  std::array<uint32_t, kCapacity> samples;
+  std::array<uint32_t, kCapacity> primitives;
   uint32_t count = 0;
   uint32_t primitive = 0;  // of the runs that are added
 
-  [[nodiscard]] bool has_room() const { return count + kMaxRunsOfTriangle <= runs.size(); }
+  // Lanes write beyond the last run.
+  [[nodiscard]] bool has_room() const { return count + kMaxRunsOfTriangle + kBlockSize <= kCapacity; }
+
+  [[nodiscard, gnu::always_inline]] PixelRun run(uint32_t i) const {
+    return {static_cast<int16_t>(pixels[i]), static_cast<int16_t>(pixels[i] >> 16U), samples[i], primitives[i]};
+  }
+  // Run i is run `from`, of which these samples are left.
+  [[gnu::always_inline]] void keep(uint32_t i, uint32_t from, uint32_t samples_left) {
+    pixels[i] = pixels[from];
+    primitives[i] = primitives[from];
+    samples[i] = samples_left;
+  }
 };
 
 [[gnu::always_inline]] inline bool is_small(const std::array<FixedPosition, 3>& triangle, const PixelRect& rect) {
@@ -105,19 +121,31 @@ struct LaneSpans {
 
 // Where runs are added.
 struct RunWriter {
-  const PixelRect& rect;
-  PixelRun* runs;
+  const PixelRect rect;
+  RunList& list;
   uint32_t count;  // kept here: what is in the list would be read again after each run
   uint32_t primitive;
 
-  RunWriter(const PixelRect& rect_of_runs, RunList& list)
-      : rect(rect_of_runs), runs(list.runs.data()), count(list.count), primitive(list.primitive) {}
+  RunWriter(const PixelRect& rect_of_runs, RunList& of_runs)
+      : rect(rect_of_runs), list(of_runs), count(of_runs.count), primitive(of_runs.primitive) {}
 
   // At a pixel and a row of the rectangle; not if there is nothing.
   [[gnu::always_inline]] void add(int32_t column, int32_t row, uint32_t samples) {
-    runs[count] = {static_cast<int16_t>(rect.left + column), static_cast<int16_t>(rect.top + row), samples,
-                   primitive};
+    list.pixels[count] = static_cast<uint32_t>(rect.left + column + ((rect.top + row) << 16));
+    list.samples[count] = samples;
+    list.primitives[count] = primitive;
     count += samples != 0 ? 1 : 0;
+  }
+
+  // The same lane by lane, in rows one below the other.
+  template <typename L>
+  [[gnu::always_inline]] void add(const typename L::Int& columns, int32_t first_row, const typename L::Int& samples) {
+    const auto rows = (L::numbers() + (rect.top + first_row)) << 16;
+    const uint32_t covered = L::bits_of(samples != 0);
+    L::store_packed(covered, columns + rect.left + rows, list.pixels.data() + count);
+    L::store_packed(covered, samples, list.samples.data() + count);
+    L::store(static_cast<int32_t>(primitive) + typename L::Int{}, list.primitives.data() + count);
+    count += static_cast<uint32_t>(std::popcount(covered));
   }
 };
 
@@ -130,18 +158,8 @@ template <typename L>
   const auto lengths = L::to_float(spans.ends - begins);
   const auto limited = L::lesser(L::greater(lengths, L::all(0.0F)), L::all(float{kBlockSize}));
   const auto in_rect = L::to_float(L::numbers()) < L::all(static_cast<float>(rows));
-  std::array<int32_t, L::kWidth> columns;
-  std::array<int32_t, L::kWidth> counts;
-  L::store(begins, columns.data());
-  L::store(L::truncated(in_rect ? limited : L::all(0.0F)), counts.data());
-  // Some at a time, so that how often a loop runs is seldom guessed wrong; those too many are empty.
-  constexpr int32_t kRowsAtOnce = std::min<int32_t>(L::kWidth, 4);
-  for (int32_t some = 0; some < std::min(static_cast<int32_t>(L::kWidth), rows); some += kRowsAtOnce) {
-    for (int32_t row = some; row < some + kRowsAtOnce; ++row) {
-      const auto lane = static_cast<size_t>(row);
-      writer.add(columns[lane], first_row + row, (1U << counts[lane]) - 1);
-    }
-  }
+  const auto counts = L::truncated(in_rect ? limited : L::all(0.0F));
+  writer.template add<L>(begins, first_row, (1 << counts) - 1);
 }
 
 // Spans that were kept, row by row and sample by sample.

@@ -80,7 +80,7 @@ std::vector<uint32_t> covered_of(const SmallTriangle& one, Isa isa) {
   EXPECT_LE(list->count, kMaxRunsOfTriangle);
   std::vector<uint32_t> covered(static_cast<size_t>(one.rect.width()) * static_cast<size_t>(one.rect.height()));
   for (uint32_t i = 0; i < list->count; ++i) {
-    const PixelRun& run = list->runs[i];
+    const PixelRun run = list->run(i);
     EXPECT_NE(run.samples, 0U);
     for (uint32_t bit = 0; bit < kBlockSize * one.samples; ++bit) {
       if ((run.samples >> bit & 1U) == 0) {

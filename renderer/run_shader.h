@@ -22,19 +22,19 @@ struct RunShader {
   const TileAttachments& attachments;
   int32_t tile_right;  // pixels
 
-  // Nothing of use is left of `runs`.
-  [[gnu::always_inline]] void shade(std::span<PixelRun> runs) const {
+  // The runs [first, end), of which nothing of use is left.
+  [[gnu::always_inline]] void shade(RunList& runs, uint32_t first, uint32_t end) const {
     if constexpr (!ColorProgram<P> && kSamples > 1) {
-      for (const PixelRun& run : runs) {
-        shade_pixels(run);
+      for (uint32_t i = first; i < end; ++i) {
+        shade_pixels(runs.run(i));
       }
     } else {
-      const std::span<PixelRun> landed = draw.depth.is_usual() ? test<true>(runs) : test<false>(runs);
-      for (const PixelRun& run : landed) {
-        if constexpr (ColorProgram<P>) {
-          write_colors(run);
-        } else {
-          emit_fragments(run);
+      end = draw.depth.is_usual() ? test<true>(runs, first, end) : test<false>(runs, first, end);
+      if constexpr (ColorProgram<P>) {
+        write_colors(runs, first, end);
+      } else {
+        for (uint32_t i = first; i < end; ++i) {
+          emit_fragments(runs.run(i));
         }
       }
     }
@@ -43,24 +43,28 @@ struct RunShader {
  private:
   static constexpr uint32_t kVectors = kBlockSize * kSamples / L::kWidth;
 
-  // The runs that have a sample which passes the depth test, which is done; they are put together.
+  // The runs that have a sample which passes the depth test, which is done, are put together; where they end.
   template <bool kIsUsual>
-  [[gnu::always_inline]] std::span<PixelRun> test(std::span<PixelRun> runs) const {
+  [[gnu::always_inline]] uint32_t test(RunList& runs, uint32_t first, uint32_t end) const {
     const bool has_test = kIsUsual || draw.depth.tests();
-    size_t count = 0;
-    for (const PixelRun run : runs) {
-      uint32_t samples = run.samples & draw.run_sample_bits;
+    const auto pixels = attachments.template pixels<kSamples>();
+    const DepthStage stage = draw.depth;
+    const uint32_t sample_bits = draw.run_sample_bits;
+    const TilePrimitive<P>* const of_runs = primitives.data();
+    uint32_t count = first;
+    for (uint32_t i = first; i < end; ++i) {
+      const PixelRun run = runs.run(i);
+      uint32_t samples = run.samples & sample_bits;
       if (has_test) {
-        const PrimitiveInterpolation& planes = primitives[run.primitive].interpolation;
+        const PrimitiveInterpolation& planes = of_runs[run.primitive].interpolation;
         const auto [columns, row] =
             depths(planes.depth_framebuffer, run.x - planes.anchor_x, run.y - planes.anchor_y);
-        samples =
-            test_row<L, kIsUsual, false>(draw.depth, columns, row, attachments.at(run.x, run.y).depths, samples);
+        samples = test_row<L, kIsUsual, false>(stage, columns, row, pixels.depths_at(run.x, run.y), samples);
       }
-      runs[count] = {run.x, run.y, samples, run.primitive};
+      runs.keep(count, i, samples);
       count += samples != 0 ? 1 : 0;
     }
-    return runs.first(count);
+    return count;
   }
 
   struct RunDepths {
@@ -91,17 +95,52 @@ struct RunShader {
     return result;
   }
 
-  [[gnu::always_inline]] void write_colors(const PixelRun& run) const {
-    const TilePrimitive<P>& primitive = primitives[run.primitive];
-    const int32_t x_from_anchor = run.x - primitive.shaded.anchor_x;
-    const auto y_from_anchor = static_cast<float>(run.y - primitive.shaded.anchor_y);
-    uint32_t* const stored = attachments.at(run.x, run.y).colors;
-    for (uint32_t column = 0; column < kBlockSize; column += L::kWidth) {
-      const auto xs = L::to_float(L::numbers() + (x_from_anchor + static_cast<int32_t>(column)));
-      const auto packed = packed_color<L>(program, primitive.data, primitive.reciprocal_w, xs, y_from_anchor);
-      write_samples<L, kSamples, false>(packed, run.samples >> (column * kSamples),
-                                        stored + size_t{column} * kSamples);
+  // Two runs at once where lanes come in pairs and both runs are of one primitive.
+  [[gnu::always_inline]] void write_colors(const RunList& runs, uint32_t first, uint32_t end) const {
+    const auto pixels = attachments.template pixels<kSamples>();
+    for (uint32_t i = first; i < end; ++i) {
+      if constexpr (LanePairs<L>::kExist) {
+        if (i + 1 < end && runs.primitives[i] == runs.primitives[i + 1]) {
+          write_pair(runs.run(i), runs.run(i + 1), pixels);
+          ++i;
+          continue;
+        }
+      }
+      write_colors(runs.run(i), pixels);
     }
+  }
+
+  using Pixels = TileAttachments::Pixels<kSamples>;
+
+  [[gnu::always_inline]] void write_colors(const PixelRun& run, const Pixels& pixels) const {
+    const TilePrimitive<P>& primitive = primitives[run.primitive];
+    for (uint32_t column = 0; column < kBlockSize; column += L::kWidth) {
+      const auto packed = packed_color<L>(program, primitive.data, primitive.reciprocal_w,
+                                          x_from_anchor(primitive, run, column), y_from_anchor(primitive, run));
+      write_samples<L, kSamples, false>(packed, run.samples >> (column * kSamples),
+                                        pixels.colors_at(run.x, run.y) + size_t{column} * kSamples);
+    }
+  }
+
+  [[gnu::always_inline]] void write_pair(const PixelRun& first, const PixelRun& second, const Pixels& pixels) const {
+    using Pairs = LanePairs<L>;
+    static_assert(L::kWidth == kBlockSize);
+    const TilePrimitive<P>& primitive = primitives[first.primitive];
+    const auto packed = packed_color<typename Pairs::Lanes>(
+        program, primitive.data, primitive.reciprocal_w,
+        Pairs::pair(x_from_anchor(primitive, first, 0), x_from_anchor(primitive, second, 0)),
+        Pairs::pair(y_from_anchor(primitive, first), y_from_anchor(primitive, second)));
+    write_samples<L, kSamples, false>(Pairs::first_of(packed), first.samples, pixels.colors_at(first.x, first.y));
+    write_samples<L, kSamples, false>(Pairs::second_of(packed), second.samples, pixels.colors_at(second.x, second.y));
+  }
+
+  [[gnu::always_inline]] static typename L::Float x_from_anchor(const TilePrimitive<P>& primitive,
+                                                                const PixelRun& run, uint32_t column) {
+    return L::to_float(L::numbers() + (run.x - primitive.shaded.anchor_x + static_cast<int32_t>(column)));
+  }
+  [[gnu::always_inline]] static typename L::Float y_from_anchor(const TilePrimitive<P>& primitive,
+                                                                const PixelRun& run) {
+    return L::all(static_cast<float>(run.y - primitive.shaded.anchor_y));
   }
 
   // To a program without colours; a block's row must not reach into another tile.

@@ -211,9 +211,8 @@ class ShadingQueue {
   // Of the entries [first, end), all of them with runs.
   [[gnu::always_inline]] void shade_runs(uint32_t first, uint32_t end) {
     if constexpr (kHasRuns) {
-      const uint32_t first_run = entries_[first].first_run;
       RunShader<L, P, kSamples>{draw_, program_, primitives_, attachments_, tile_pixels_.right}.shade(
-          std::span(runs_.runs).subspan(first_run, entries_[end].first_run - first_run));
+          runs_, entries_[first].first_run, entries_[end].first_run);
     }
   }
 

@@ -83,6 +83,30 @@ class TileAttachments {
     return {depths_ == nullptr ? nullptr : depths_ + first, colors_ == nullptr ? nullptr : colors_ + first};
   }
 
+  // The same for loops that write: a copy, which no compiler has to read again after what was written.
+  template <uint32_t kSamples>
+  struct Pixels {
+    int32_t left;
+    int32_t top;
+    float* depths;
+    uint32_t* colors;
+
+    [[nodiscard, gnu::always_inline]] float* depths_at(int32_t x, int32_t y) const { return depths + offset(x, y); }
+    [[nodiscard, gnu::always_inline]] uint32_t* colors_at(int32_t x, int32_t y) const {
+      return colors + offset(x, y);
+    }
+
+   private:
+    [[nodiscard, gnu::always_inline]] ptrdiff_t offset(int32_t x, int32_t y) const {
+      return ptrdiff_t{((y - top) * kTileSize + (x - left)) * static_cast<int32_t>(kSamples)};
+    }
+  };
+  // kSamples: that of the draw.
+  template <uint32_t kSamples>
+  [[nodiscard, gnu::always_inline]] Pixels<kSamples> pixels() const {
+    return {left_, top_, depths_, colors_};
+  }
+
   // From a block's first pixel, loaded.
   [[gnu::always_inline]] Values block(int32_t x, int32_t y) {
     load(uint64_t{1} << block_number(x, y));
@@ -100,13 +124,11 @@ class TileAttachments {
   }
 
   // What was drawn, to the attachments.
-  void store() {
+  void store() const {
     if (clears_) {
-      clear_rest();
+      for_each_rect(~loaded_, [&](const PixelRect& pixels) { clear_attachments(input_, pixels); });
     }
-    for (uint64_t rest = loaded_; rest != 0; rest &= rest - 1) {
-      copy<true>(static_cast<uint32_t>(std::countr_zero(rest)));
-    }
+    for_each_rect(loaded_, [&](const PixelRect& pixels) { store(pixels); });
   }
 
  private:
@@ -127,68 +149,86 @@ class TileAttachments {
   [[gnu::noinline]] void load_missing(uint64_t blocks) {
     loaded_ |= blocks;
     for (; blocks != 0; blocks &= blocks - 1) {
-      copy<false>(static_cast<uint32_t>(std::countr_zero(blocks)));
+      load_block(static_cast<uint32_t>(std::countr_zero(blocks)));
     }
   }
 
-  // The blocks in which nothing was drawn, row by row of them.
-  void clear_rest() const {
+  // Blocks side by side are one rectangle: of long rows whole lines of the cache are written at once.
+  template <typename Visit>
+  void for_each_rect(uint64_t blocks, const Visit& visit) const {
     constexpr uint64_t kRow = 0xFF;
     for (uint32_t row = 0; row < kBlocksInRow; ++row) {
-      const uint64_t loaded = loaded_ >> row * kBlocksInRow & kRow;
       const int32_t top = top_ + static_cast<int32_t>(row) * kBlockSize;
-      for (uint64_t rest = loaded ^ kRow; rest != 0;) {
+      for (uint64_t rest = blocks >> row * kBlocksInRow & kRow; rest != 0;) {
         const int32_t first = std::countr_zero(rest);
         const int32_t count = std::countr_one(rest >> static_cast<uint32_t>(first));
         rest &= ~uint64_t{0} << static_cast<uint32_t>(first + count);
         const int32_t left = left_ + first * kBlockSize;
-        clear_attachments(input_, {left, top, left + count * kBlockSize, top + kBlockSize});
+        visit(PixelRect{left, top, left + count * kBlockSize, top + kBlockSize});
       }
     }
   }
 
-  // A block's pixels that are in the target; to the attachments or from them.
-  template <bool kStore>
-  void copy(uint32_t number) const {
+  void load_block(uint32_t number) const {
     const int32_t x = left_ + static_cast<int32_t>(number % kBlocksInRow) * kBlockSize;
     const int32_t y = top_ + static_cast<int32_t>(number / kBlocksInRow) * kBlockSize;
+    const PixelRect pixels{x, y, x + kBlockSize, y + kBlockSize};
     const Values values = at(x, y);
     if (uses_depth_) {
-      copy_rows<kStore>(x, y, values.depths, input_.depth);
-    } else if (kStore && clears_) {
-      clear_rows(input_, {x, y, x + kBlockSize, y + kBlockSize}, input_.depth);
+      load_rows(pixels, values.depths, input_.depth);
     }
     if (!input_.color.values.empty()) {
-      copy_rows<kStore>(x, y, values.colors, input_.color);
+      load_rows(pixels, values.colors, input_.color);
     }
   }
 
-  template <bool kStore, typename T, typename Buffer>
-  void copy_rows(int32_t x, int32_t y, T* block, const Buffer& attachment) const {
-    if (!kStore && clears_ && attachment.clear) {
-      for (int32_t row = 0; row < kBlockSize; ++row, block += kTileSize * input_.samples) {
-        std::fill_n(block, kBlockSize * input_.samples, *attachment.clear);
-      }
+  void store(const PixelRect& pixels) const {
+    const Values values = at(pixels.left, pixels.top);
+    if (uses_depth_) {
+      copy_rows<true>(pixels, values.depths, input_.depth);
+    } else if (clears_) {
+      clear_rows(input_, pixels, input_.depth);
+    }
+    if (!input_.color.values.empty()) {
+      copy_rows<true>(pixels, values.colors, input_.color);
+    }
+  }
+
+  template <typename T, typename Buffer>
+  void load_rows(const PixelRect& block, T* values, const Buffer& attachment) const {
+    if (!clears_ || !attachment.clear) {
+      copy_rows<false>(block, values, attachment);
       return;
     }
-    const auto column = static_cast<size_t>(x);
+    for (int32_t row = 0; row < kBlockSize; ++row, values += kTileSize * input_.samples) {
+      std::fill_n(values, kBlockSize * input_.samples, *attachment.clear);
+    }
+  }
+
+  // Those of the pixels that are in the target; to the attachment or from it.
+  template <bool kStore, typename T, typename Buffer>
+  void copy_rows(const PixelRect& pixels, T* own, const Buffer& attachment) const {
+    const auto column = static_cast<size_t>(pixels.left);
+    const auto first_row = static_cast<size_t>(pixels.top);
     const size_t samples = input_.samples;
     const size_t width = input_.target_width;
-    const size_t rows = std::min<size_t>(kBlockSize, input_.target_height - static_cast<size_t>(y));
-    const size_t count = std::min<size_t>(kBlockSize, width - column) * samples;
-    T* values = attachment.values.data() + (static_cast<size_t>(y) * width + column) * samples;
-    for (size_t row = 0; row < rows; ++row, values += width * samples, block += kTileSize * samples) {
+    const size_t rows = std::min<size_t>(kBlockSize, input_.target_height - first_row);
+    const size_t count = std::min(static_cast<size_t>(pixels.width()), width - column) * samples;
+    T* values = attachment.values.data() + (first_row * width + column) * samples;
+    for (size_t row = 0; row < rows; ++row, values += width * samples, own += kTileSize * samples) {
       if (count == kBlockSize) {
-        copy_values<kStore>(block, values, kBlockSize);  // of a size that the compiler knows
+        copy_values<kStore>(own, values, kBlockSize);  // of sizes that the compiler knows
+      } else if (count == kTileSize) {
+        copy_values<kStore>(own, values, kTileSize);
       } else {
-        copy_values<kStore>(block, values, count);
+        copy_values<kStore>(own, values, count);
       }
     }
   }
 
   template <bool kStore, typename T>
-  [[gnu::always_inline]] static void copy_values(T* block, T* attachment, size_t count) {
-    std::memcpy(kStore ? attachment : block, kStore ? block : attachment, count * sizeof(T));
+  [[gnu::always_inline]] static void copy_values(T* own, T* attachment, size_t count) {
+    std::memcpy(kStore ? attachment : own, kStore ? own : attachment, count * sizeof(T));
   }
 
   const DrawInput& input_;

@@ -11,11 +11,6 @@ bool is_finite(const ClipPosition& pos_clip) {
          std::isfinite(pos_clip[3]);
 }
 
-// Where w and 1/w both are normal floats.
-bool is_invertible(float w) {
-  return w >= 0x1p-126F && w <= 0x1p126F;
-}
-
 float guard_band(float centre_framebuffer, float half_extent) {
   const double guard = (kGuardBandPixels - std::abs(double{centre_framebuffer})) / std::abs(double{half_extent});
   // A viewport of almost no extent reaches nowhere with any factor.

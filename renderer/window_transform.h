@@ -2,11 +2,14 @@
 // Viewport"), and which vertices need clipping first.
 #pragma once
 
+#include <array>
+#include <bit>
 #include <cstdint>
 #include <span>
 
 #include "cases/model/case.h"
 #include "renderer/fixed_point.h"
+#include "renderer/lanes.h"
 
 namespace fillrule::renderer {
 
@@ -65,6 +68,10 @@ class WindowTransform {
   // through double precision.
   [[nodiscard]] WindowVertex window_vertex(const ClipPosition& pos_clip) const;
 
+  // The same of as many vertices as there are lanes (lanes.h), which must follow each other.
+  template <typename L>
+  void window_vertices(const ClipPosition* positions_clip, WindowVertex* vertices) const;
+
   // Where a vertex inside of the view volume is, before it is snapped: by the same arithmetic as window_vertex() has.
   [[nodiscard]] FramebufferPosition vertex_framebuffer(const ClipPosition& pos_clip) const;
 
@@ -100,6 +107,11 @@ class WindowTransform {
   [[nodiscard]] FramebufferPosition framebuffer_as_lavapipe(const ClipPosition& pos_clip) const;
   [[nodiscard]] FixedPosition snapped(const FramebufferPosition& position_framebuffer) const;
 
+  // Where w and 1/w both are normal floats.
+  static constexpr float kLeastInvertible = 0x1p-126F;
+  static constexpr float kGreatestInvertible = 0x1p126F;
+  static bool is_invertible(float w) { return w >= kLeastInvertible && w <= kGreatestInvertible; }
+
   // x_framebuffer = x_ndc * half_width_ + centre_x_, in pixels; float32 as lavapipe has them.
   float half_width_;
   float half_height_;
@@ -112,6 +124,39 @@ class WindowTransform {
   uint32_t subpixel_bits_;
   DepthVolume depth_volume_;
 };
+
+template <typename L>
+[[gnu::always_inline]] inline void WindowTransform::window_vertices(const ClipPosition* positions_clip,
+                                                                    WindowVertex* vertices) const {
+  using Float = typename L::Float;
+  const auto [x, y, z, w] = L::load_components(positions_clip->data());
+  const Float minus_w = L::all(0.0F) - w;
+  const Float near = depth_volume_.negative_one_to_one ? minus_w : L::all(0.0F);
+  typename L::Mask is_usual = (w >= L::all(kLeastInvertible)) & (w <= L::all(kGreatestInvertible)) & (minus_w <= x) &
+                              (x <= w) & (minus_w <= y) & (y <= w);
+  if (depth_volume_.clips) {
+    is_usual &= (near <= z) & (z <= w);
+  }
+  // As framebuffer_as_lavapipe() and snap().
+  const Float reciprocal_w = L::all(1.0F) / w;
+  const auto snapped = [&](const Float& coordinate, float half_extent, float centre) __attribute__((always_inline)) {
+    const Float framebuffer = L::fused(coordinate * reciprocal_w, L::all(half_extent), L::all(centre));
+    const Float subpixels = L::to_nearest(framebuffer * L::all(static_cast<float>(1U << subpixel_bits_)));
+    return L::truncated(is_usual ? subpixels : L::all(0.0F));
+  };
+  std::array<int32_t, L::kWidth> xs_fixed;
+  std::array<int32_t, L::kWidth> ys_fixed;
+  L::store(snapped(x, half_width_, centre_x_), xs_fixed.data());
+  L::store(snapped(y, half_height_, centre_y_), ys_fixed.data());
+  for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
+    vertices[lane] = {.position = {xs_fixed[lane], ys_fixed[lane]}};
+  }
+  constexpr uint32_t kAllLanes = (1U << L::kWidth) - 1;
+  for (uint32_t rest = ~L::bits_of(is_usual) & kAllLanes; rest != 0; rest &= rest - 1) {
+    const auto lane = static_cast<uint32_t>(std::countr_zero(rest));
+    vertices[lane] = window_vertex(positions_clip[lane]);
+  }
+}
 
 template <typename Real>
 Real WindowTransform::distance(ClipPlane plane, const HomogeneousPosition<Real>& pos_clip) const {

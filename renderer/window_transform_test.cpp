@@ -2,8 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
+#include <vector>
+
+#include "renderer/isa.h"
 
 namespace fillrule::renderer {
 namespace {
@@ -67,6 +72,47 @@ TEST(WindowTransform, ViewportPixelsHaveTheirCentresInside) {
   EXPECT_EQ(pixels({.x = 1.75F, .y = 2.25F, .width = 10, .height = 20}), (PixelRect{2, 2, 12, 22}));
   EXPECT_EQ(pixels({.x = 5, .y = 30, .width = 10, .height = -20}), (PixelRect{5, 10, 15, 30}));
   EXPECT_EQ(pixels({.x = -7, .y = -9, .width = 10, .height = 20}), (PixelRect{-7, -9, 3, 11}));
+}
+
+// Usual vertices beside all others, in every lane.
+TEST(WindowTransform, GivesSeveralVerticesWhatItGivesEach) {
+  constexpr uint32_t kSeed = 20;
+  constexpr size_t kVertices = 4096;
+  SCOPED_TRACE(kSeed);
+  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr std::array kSpecial{0.0F,     -0.0F,     1.0F,       -1.0F, 0x1p-126F, 0x1p-127F, 0x1p126F,
+                                0x1p127F, kInfinity, -kInfinity, 1e30F, 3e38F,     -2.0F,     std::nanf("")};
+  std::mt19937 random(kSeed);
+  const auto coordinate = [&](float least) {
+    return random() % 16 == 0 ? kSpecial[random() % kSpecial.size()]
+                              : std::uniform_real_distribution<float>(least, 1.2F)(random);
+  };
+  std::vector<ClipPosition> positions(kVertices);
+  for (ClipPosition& position : positions) {
+    position = {coordinate(-1.2F), coordinate(-1.2F), coordinate(-0.2F), coordinate(0.8F)};
+  }
+  for (const VkViewport& viewport : {kViewport, VkViewport{3.5F, 77, 201, -77, 0, 1}}) {
+    for (const DepthVolume& volume : {DepthVolume{}, DepthVolume{.clips = false}, DepthVolume{true, true}}) {
+      for (const uint32_t subpixel_bits : {4U, 8U}) {
+        const WindowTransform transform(viewport, subpixel_bits, volume);
+        for (const Isa isa : kAllIsas) {
+          if (!is_supported(isa)) continue;
+          std::vector<WindowVertex> vertices(kVertices);
+          dispatch(
+              isa, [&]<typename L>() __attribute__((always_inline)) {
+                for (size_t i = 0; i < kVertices; i += L::kWidth) {
+                  transform.window_vertices<L>(&positions[i], &vertices[i]);
+                }
+              });
+          for (size_t i = 0; i < kVertices; ++i) {
+            const WindowVertex expected = transform.window_vertex(positions[i]);
+            ASSERT_EQ(vertices[i].position, expected.position) << to_string(isa) << ", vertex " << i;
+            ASSERT_EQ(vertices[i].clip_code, expected.clip_code) << to_string(isa) << ", vertex " << i;
+          }
+        }
+      }
+    }
+  }
 }
 
 }  // namespace
