@@ -2,9 +2,11 @@
 // wants its fragments one by one, pixels are.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <type_traits>
 
 #include "renderer/edge_fill.h"
@@ -22,8 +24,16 @@ struct BlockShader {
     const TileAttachments::Values values = attachments.block(block.x, block.y);
     uint64_t landed = block.mask;
     if (shader.draw.depth.is_usual()) {
+      float& limit = attachments.depth_limit(block.x, block.y);
+      if (is_hidden(block, limit)) {
+        return;
+      }
       landed = block.mask == kFullMask ? landed_pixels<true, true>(block, values.depths)
                                        : landed_pixels<true, false>(block, values.depths);
+      if (landed == 0) {
+        limit = greatest_depth<1>(values.depths);
+        return;
+      }
     } else if (shader.draw.depth.tests()) {
       landed = landed_pixels<false, false>(block, values.depths);
     }
@@ -158,9 +168,16 @@ struct BlockShader {
   template <uint32_t kSamples>
   [[gnu::always_inline]] void shade_sampled_rows(const SampledBlock& block,
                                                  const TileAttachments::Values& values) const {
+    float& limit = attachments.depth_limit(block.x, block.y);
+    if (shader.draw.depth.is_usual() && is_hidden(block, limit)) {
+      return;
+    }
     SampleRows landed = sample_rows(block, shader.draw.input.state.sample_mask);
     if (shader.draw.depth.is_usual()) {
-      test_samples<kSamples, true>(block, values.depths, landed);
+      if (!test_samples<kSamples, true>(block, values.depths, landed)) {
+        limit = greatest_depth<kSamples>(values.depths);
+        return;
+      }
     } else if (shader.draw.depth.tests()) {
       test_samples<kSamples, false>(block, values.depths, landed);
     }
@@ -195,9 +212,9 @@ struct BlockShader {
     }
   }
 
-  // Leaves those of a block's samples that pass the depth test, which is done.
+  // Leaves those of a block's samples that pass the depth test, which is done; whether there are any.
   template <uint32_t kSamples, bool kIsUsual>
-  [[gnu::always_inline]] void test_samples(const SampledBlock& block, float* depths, SampleRows& samples) const {
+  [[gnu::always_inline]] bool test_samples(const SampledBlock& block, float* depths, SampleRows& samples) const {
     constexpr uint32_t kVectors = kBlockSize * kSamples / L::kWidth;
     const WindowPlane depth = shader.primitive.interpolation.depth_framebuffer;
     std::array<typename L::Double, kVectors> columns;
@@ -208,6 +225,7 @@ struct BlockShader {
     }
     const auto offsets_y = L::load(shader.draw.sample_offsets_y.data());
     const DepthStage& stage = shader.draw.depth;
+    uint32_t any = 0;
     for (uint32_t row = 0; row < kBlockSize; ++row) {
       if (samples[row] == 0) {
         continue;
@@ -220,7 +238,44 @@ struct BlockShader {
       samples[row] = samples[row] == ~0U
                          ? test_row<L, kIsUsual, true>(stage, columns, depth_row, row_depths, ~0U)
                          : test_row<L, kIsUsual, false>(stage, columns, depth_row, row_depths, samples[row]);
+      any |= samples[row];
     }
+    return any != 0;
+  }
+
+  // Whether the usual test keeps all of a block's fragments from its samples.
+  template <typename Block>
+  [[nodiscard, gnu::always_inline]] bool is_hidden(const Block& block, float depth_limit) const {
+    return depth_limit < std::numeric_limits<float>::infinity() &&
+           shader.draw.depth.hides(least_depth(block.x, block.y), depth_limit);
+  }
+
+  // No sample in the block of a plane's primitive has less: rounding keeps the order, so with the operations by which
+  // depths are computed, one of the outermost samples has the least.
+  [[nodiscard, gnu::always_inline]] double least_depth(int32_t x, int32_t y) const {
+    constexpr int32_t kLast = kBlockSize - 1;
+    const PreparedDraw& draw = shader.draw;
+    const PrimitiveInterpolation& planes = shader.primitive.interpolation;
+    const WindowPlane& depth = planes.depth_framebuffer;
+    const double left = static_cast<double>(x - planes.anchor_x) + draw.first_sample.x;
+    const double right = static_cast<double>(x - planes.anchor_x) + draw.last_sample.x;
+    const double top = static_cast<double>(y - planes.anchor_y) + draw.first_sample.y;
+    const double bottom = static_cast<double>(y + kLast - planes.anchor_y) + draw.last_sample.y;
+    return depth.at(depth.step_x < 0 ? right : left, depth.step_y < 0 ? bottom : top);
+  }
+
+  // Of a block; what is no number is no limit.
+  template <uint32_t kSamples>
+  [[nodiscard, gnu::always_inline]] static float greatest_depth(const float* depths) {
+    auto greatest = L::all(-std::numeric_limits<float>::infinity());
+    for (uint32_t row = 0; row < kBlockSize; ++row, depths += size_t{kTileSize} * kSamples) {
+      for (uint32_t i = 0; i < kBlockSize * kSamples; i += L::kWidth) {
+        greatest = L::greater(L::load(depths + i), greatest);
+      }
+    }
+    std::array<float, L::kWidth> lanes;
+    L::store(greatest, lanes.data());
+    return *std::max_element(lanes.begin(), lanes.end());
   }
 };
 

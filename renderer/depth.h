@@ -141,6 +141,12 @@ class DepthStage {
     return L::store_lesser(fragments, clamped_depth<L>(depth_framebuffer), stored);
   }
 
+  // Whether the usual test keeps all fragments of this depth and greater from samples whose depths are at most
+  // `stored_limit`.
+  [[nodiscard]] bool hides(double depth_framebuffer, float stored_limit) const {
+    return clamped_depth<ScalarLanes>(depth_framebuffer) >= stored_limit;
+  }
+
   // As the attachment would hold it. Where depths are not clamped to the viewport's range they are clamped to [0, 1],
   // as the reference drivers do: snapping lets a pixel lie outside of the unsnapped triangle, and without depth
   // clipping all of it may (Vulkan leaves those values open). -0 and NaN become the least depth. The ends of the

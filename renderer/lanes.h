@@ -68,6 +68,9 @@ struct ScalarLanes {
     return {vectors[0], vectors[1], vectors[2], vectors[3]};
   }
 
+  // The same of as many pairs.
+  static std::array<Int, 2> load_pairs(const int32_t* pairs) { return {pairs[0], pairs[1]}; }
+
   // a * b + c, rounded once.
   static Float fused(Float a, Float b, Float c) { return std::fma(a, b, c); }
   // To the nearest whole number, ties to even; of values beyond 2^51 nothing is asked.
@@ -317,6 +320,17 @@ struct VectorLanes {
     const Float bd_high = interleaved<2>(b, d);
     return {interleaved<0>(ac_low, bd_low), interleaved<2>(ac_low, bd_low), interleaved<0>(ac_high, bd_high),
             interleaved<2>(ac_high, bd_high)};
+  }
+
+  [[gnu::always_inline]] static std::array<Int, 2> load_pairs(const int32_t* pairs) {
+    const Int low = load(pairs);
+    const Int high = load(pairs + kWidth);
+    if constexpr (kWidth == 4) {
+      return {__builtin_shufflevector(low, high, 0, 2, 4, 6), __builtin_shufflevector(low, high, 1, 3, 5, 7)};
+    } else {
+      return {__builtin_shufflevector(low, high, 0, 2, 4, 6, 8, 10, 12, 14),
+              __builtin_shufflevector(low, high, 1, 3, 5, 7, 9, 11, 13, 15)};
+    }
   }
 
   [[gnu::always_inline]] static Float fused(const Float& a, const Float& b, const Float& c) {

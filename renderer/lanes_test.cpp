@@ -131,12 +131,15 @@ TEST(Lanes, RoundOnce) {
   }
 }
 
-TEST(Lanes, TakeFourVectorsApart) {
+TEST(Lanes, TakePairsAndFourVectorsApart) {
   std::array<float, size_t{4} * kCount> vectors{};
   std::iota(vectors.begin(), vectors.end(), 0.0F);
+  std::array<int32_t, size_t{2} * kCount> pairs{};
+  std::iota(pairs.begin(), pairs.end(), 0);
   for (const Isa isa : kAllIsas) {
     if (!is_supported(isa)) continue;
     std::array<std::array<float, kCount>, 4> components{};
+    std::array<std::array<int32_t, kCount>, 2> of_pairs{};
     dispatch(
         isa, [&]<typename L>() __attribute__((always_inline)) {
           for (uint32_t i = 0; i < kCount; i += L::kWidth) {
@@ -144,10 +147,16 @@ TEST(Lanes, TakeFourVectorsApart) {
             for (size_t component = 0; component < 4; ++component) {
               L::store(loaded[component], components[component].data() + i);
             }
+            const auto loaded_pairs = L::load_pairs(pairs.data() + size_t{2} * i);
+            L::store(loaded_pairs[0], of_pairs[0].data() + i);
+            L::store(loaded_pairs[1], of_pairs[1].data() + i);
           }
         });
     for (size_t i = 0; i < vectors.size(); ++i) {
       EXPECT_EQ(components[i % 4][i / 4], vectors[i]) << to_string(isa) << i;
+    }
+    for (size_t i = 0; i < pairs.size(); ++i) {
+      EXPECT_EQ(of_pairs[i % 2][i / 2], pairs[i]) << to_string(isa) << i;
     }
   }
 }

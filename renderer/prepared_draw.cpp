@@ -161,6 +161,13 @@ void set_up_samples(PreparedDraw& prepared) {
     const WindowOffset from_centre = prepared.sample_locations[i % input.samples].from_centre();
     prepared.sample_offsets_x[i] = pixel + from_centre.x;
     prepared.sample_offsets_y[i] = from_centre.y;
+    if (i == 0) {
+      prepared.first_sample = prepared.last_sample = from_centre;
+    }
+    prepared.first_sample = {std::min(prepared.first_sample.x, prepared.sample_offsets_x[i]),
+                             std::min(prepared.first_sample.y, prepared.sample_offsets_y[i])};
+    prepared.last_sample = {std::max(prepared.last_sample.x, prepared.sample_offsets_x[i]),
+                            std::max(prepared.last_sample.y, prepared.sample_offsets_y[i])};
   }
 }
 

@@ -150,10 +150,9 @@ class ShadingQueue {
       LaneTriangleBuffer<L> buffer;
       for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
         const Entry& entry = entries_[of_lane(first, lane)];
-        buffer.put(lane, plane_anchor(draw_, entry.outline), entry.primitive->indices, positions_clip_);
+        buffer.put(lane, *entry.primitive, entry.outline, positions_clip_);
       }
-      const RasterState& state = draw_.input.state;
-      buffer.compute(state.viewport, depth_transform(state));
+      buffer.compute(draw_);
       for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
         buffer.get(lane, primitives_[of_lane(first, lane)].interpolation);
       }

@@ -105,11 +105,13 @@ struct PlaneAnchor {
   int32_t x = 0;
   int32_t y = 0;
 };
+inline FixedPosition least_corner(const FixedPosition& a, const FixedPosition& b) {
+  return {std::min(a.x_fixed, b.x_fixed), std::min(a.y_fixed, b.y_fixed)};
+}
 inline PlaneAnchor plane_anchor(const PreparedDraw& draw, std::span<const FixedPosition> outline) {
   FixedPosition corner = outline[0];
   for (const FixedPosition& vertex : outline) {
-    corner.x_fixed = std::min(corner.x_fixed, vertex.x_fixed);
-    corner.y_fixed = std::min(corner.y_fixed, vertex.y_fixed);
+    corner = least_corner(corner, vertex);
   }
   const PixelRect& limits = draw.viewport_pixels;
   return {std::clamp(corner.x_fixed >> draw.subpixel_bits, limits.left, limits.right),

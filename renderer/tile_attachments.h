@@ -13,6 +13,7 @@
 #include <bit>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -74,6 +75,7 @@ class TileAttachments {
     }
     depths_ = storage.depths.data();
     colors_ = storage.colors.data();
+    depth_limits_.fill(std::numeric_limits<float>::infinity());
   }
 
   // From a pixel whose block was loaded.
@@ -105,6 +107,11 @@ class TileAttachments {
   template <uint32_t kSamples>
   [[nodiscard, gnu::always_inline]] Pixels<kSamples> pixels() const {
     return {left_, top_, depths_, colors_};
+  }
+
+  // Of a block under the usual depth test, which lets depths only become less: none of its depths is greater.
+  [[nodiscard, gnu::always_inline]] float& depth_limit(int32_t x, int32_t y) {
+    return depth_limits_[block_number(x, y)];
   }
 
   // From a block's first pixel, loaded.
@@ -239,6 +246,7 @@ class TileAttachments {
   uint64_t loaded_ = 0;  // bit i: block i is here
   float* depths_;
   uint32_t* colors_;
+  std::array<float, kMaxBlocks> depth_limits_;
 };
 
 }  // namespace fillrule::renderer::internal

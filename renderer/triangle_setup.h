@@ -29,12 +29,9 @@ class TriangleLanes {
 
   [[gnu::always_inline]] void put(uint32_t at, const FixedPosition& a, const FixedPosition& b,
                                   const FixedPosition& c) {
-    x_[0][at] = a.x_fixed;
-    y_[0][at] = a.y_fixed;
-    x_[1][at] = b.x_fixed;
-    y_[1][at] = b.y_fixed;
-    x_[2][at] = c.x_fixed;
-    y_[2][at] = c.y_fixed;
+    corners_[0][at] = a;
+    corners_[1][at] = b;
+    corners_[2][at] = c;
   }
 
   // Of the first `count` of them, which must have been put.
@@ -105,7 +102,8 @@ class TriangleLanes {
   }
 
   [[gnu::always_inline]] Corner corner(size_t vertex, uint32_t first) const {
-    return {L::load(x_[vertex].data() + first), L::load(y_[vertex].data() + first)};
+    const auto [x, y] = L::load_pairs(&corners_[vertex][first].x_fixed);
+    return {x, y};
   }
 
   [[gnu::always_inline]] static Bounds bounds(const SetupState& state, const Extent& xs, const Extent& ys) {
@@ -216,8 +214,7 @@ class TriangleLanes {
     return covered;
   }
 
-  std::array<Values, 3> x_;
-  std::array<Values, 3> y_;
+  std::array<std::array<FixedPosition, kTriangles>, 3> corners_;
   std::array<Values, 4> bounds_;  // left, top, right, bottom; pixels
   Values covered_;
   uint64_t visible_ = 0;

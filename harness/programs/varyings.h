@@ -115,13 +115,21 @@ class VaryingsProgram {
   [[nodiscard, gnu::always_inline]] bool plain_row(const PrimitiveData& data, int32_t x, int32_t y, uint32_t row,
                                                    const renderer::PrimitiveInterpolation& interpolation) const {
     const size_t pixel = static_cast<size_t>(y) * width_ + static_cast<size_t>(x);
-    const renderer::RowWeights weights(interpolation, x, y);
-    if (flat_end_ < component_count_ && !weights.are_plausible()) {
-      return false;
-    }
     RowMask own;
     for (uint32_t i = 0; i < own.size(); ++i) {
       own[i] = 0U - (row >> i & 1U);
+    }
+    if (flat_end_ < component_count_) {
+      const renderer::RowWeights weights(interpolation, x, y);
+      if (!weights.are_plausible()) {
+        return false;
+      }
+      if (flat_end_ < smooth_end_) {
+        write_rows(data, flat_end_, smooth_end_, weights.smooth(), pixel, own);
+      }
+      if (smooth_end_ < component_count_) {
+        write_rows(data, smooth_end_, component_count_, weights.noperspective(), pixel, own);
+      }
     }
     for (size_t i = 0; i < own.size(); ++i) {
       hits_[pixel + i] -= own[i];
@@ -130,12 +138,6 @@ class VaryingsProgram {
     write_row(front_facing_ + pixel, data.front_facing, own);
     for (uint32_t i = 0; i < flat_end_; ++i) {
       write_row(components_[i].plane + pixel, data.components[0][components_[i].index], own);
-    }
-    if (flat_end_ < smooth_end_) {
-      write_rows(data, flat_end_, smooth_end_, weights.smooth(), pixel, own);
-    }
-    if (smooth_end_ < component_count_) {
-      write_rows(data, smooth_end_, component_count_, weights.noperspective(), pixel, own);
     }
     return true;
   }
