@@ -59,7 +59,8 @@ struct BlockShader {
       }
     } else if constexpr (BlockProgram<P>) {
       if (landed != 0) {
-        shader.program.block(shader.primitive.data, block.x, block.y, landed, shader.primitive.interpolation);
+        shader.program.template block<L>(shader.primitive.data, block.x, block.y, landed,
+                                         shader.primitive.interpolation);
       }
     } else {
       for (; landed != 0; landed &= landed - 1) {

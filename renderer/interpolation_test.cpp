@@ -1,7 +1,10 @@
 #include "renderer/interpolation.h"
 
+#include <algorithm>
 #include <bit>
+#include <cmath>
 
+#include "renderer/isa.h"
 #include "renderer/row_weights.h"
 #include "renderer/test_scene.h"
 
@@ -26,49 +29,90 @@ std::array<double, 3> window_barycentrics(const std::array<Vertex, 3>& v, double
           area(v[0].x_framebuffer, v[0].y_framebuffer, v[1].x_framebuffer, v[1].y_framebuffer, x, y) / whole};
 }
 
+// A row's values, pixel by pixel.
+struct Row {
+  bool is_plausible = false;
+  bool is_finite = false;
+  std::array<std::array<double, kBlockSize>, 3> smooth{};
+  std::array<std::array<double, kBlockSize>, 3> noperspective{};
+  std::array<float, kBlockSize> values{};
+};
+
+Row row_of(Isa isa, const PrimitiveInterpolation& planes, int32_t x, int32_t y,
+           const std::array<float, 3>& vertices) {
+  Row row;
+  dispatch(
+      isa, [&]<typename L>() __attribute__((always_inline)) {
+        const RowWeights<L> weights(planes, x, y);
+        row.is_plausible = weights.are_plausible();
+        RowOfValues<L> values;
+        row.is_finite = interpolate_row<L>(vertices[0], vertices[1], vertices[2], weights.smooth(), values);
+        for (size_t i = 0; i < kRowVectors<L>; ++i) {
+          L::store(values[i], row.values.data() + i * L::kWidth);
+          for (size_t v = 0; v < 3; ++v) {
+            L::store(weights.smooth()[v][i], row.smooth[v].data() + i * L::kWidth);
+            L::store(weights.noperspective()[v][i], row.noperspective[v].data() + i * L::kWidth);
+          }
+        }
+      });
+  return row;
+}
+
 // Planes of any kind: rows that begin inside, beside and behind a primitive.
 TEST(RowWeights, AreThoseOfItsPixelsToTheBit) {
   SeededRandom random;
-  size_t plausible_rows = 0;
-  size_t other_rows = 0;
-  for (int i = 0; i < 2000; ++i) {
-    PrimitiveInterpolation planes{.anchor_x = 5, .anchor_y = -3};
-    for (size_t v = 0; v < 3; ++v) {
-      planes.per_w[v] = {random.uniform(0, 1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
-      planes.w[v] = random.uniform(0.5, 4);
-    }
-    const auto x = static_cast<int32_t>(random.uniform(-4, 10));
-    const auto y = static_cast<int32_t>(random.uniform(-8, 4));
-    const RowWeights row(planes, x, y);
-    if (!row.are_plausible()) {
-      ++other_rows;
-      continue;
-    }
-    ++plausible_rows;
-    const RowOfWeights smooth = row.smooth();
-    const RowOfWeights noperspective = row.noperspective();
-    RowOfValues values;
-    ASSERT_TRUE(interpolate_row(1.5F, -2, 0.25F, smooth, values));
-    for (int32_t pixel = 0; pixel < kBlockSize; ++pixel) {
-      const PixelWeights weights = planes.weights_at(x + pixel, y);
-      const auto column = static_cast<size_t>(pixel);
-      EXPECT_EQ(values[column], interpolate(1.5F, -2, 0.25F, weights.smooth));
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    SCOPED_TRACE(to_string(isa));
+    size_t plausible_rows = 0;
+    size_t other_rows = 0;
+    for (int i = 0; i < 2000; ++i) {
+      PrimitiveInterpolation planes{.anchor_x = 5, .anchor_y = -3};
       for (size_t v = 0; v < 3; ++v) {
-        EXPECT_EQ(smooth[v][column], weights.smooth[v]);
-        EXPECT_EQ(noperspective[v][column], weights.noperspective[v]);
+        planes.per_w[v] = {random.uniform(0, 1), random.uniform(-0.1, 0.1), random.uniform(-0.1, 0.1)};
+        planes.w[v] = random.uniform(0.5, 4);
+      }
+      const auto x = static_cast<int32_t>(random.uniform(-4, 10));
+      const auto y = static_cast<int32_t>(random.uniform(-8, 4));
+      const Row row = row_of(isa, planes, x, y, {1.5F, -2, 0.25F});
+      bool is_plausible = true;
+      for (int32_t pixel = 0; pixel < kBlockSize; ++pixel) {
+        double greatest = 0;
+        for (const WindowPlane& plane : planes.per_w) {
+          greatest = std::max(greatest, std::abs(plane.at(x + pixel - planes.anchor_x, y - planes.anchor_y)));
+        }
+        is_plausible = is_plausible && greatest <= 2 * planes.reciprocal_w_at(x + pixel, y);
+      }
+      ASSERT_EQ(row.is_plausible, is_plausible);
+      (is_plausible ? plausible_rows : other_rows) += 1;
+      if (!is_plausible) continue;
+      ASSERT_TRUE(row.is_finite);
+      for (int32_t pixel = 0; pixel < kBlockSize; ++pixel) {
+        const PixelWeights weights = planes.weights_at(x + pixel, y);
+        const auto column = static_cast<size_t>(pixel);
+        EXPECT_EQ(row.values[column], interpolate(1.5F, -2, 0.25F, weights.smooth));
+        for (size_t v = 0; v < 3; ++v) {
+          EXPECT_EQ(row.smooth[v][column], weights.smooth[v]);
+          EXPECT_EQ(row.noperspective[v][column], weights.noperspective[v]);
+        }
       }
     }
+    EXPECT_GT(plausible_rows, 100U);
+    EXPECT_GT(other_rows, 100U);
   }
-  EXPECT_GT(plausible_rows, 100U);
-  EXPECT_GT(other_rows, 100U);
 }
 
-TEST(RowWeights, LeaveInfiniteValuesToTheirPixels) {
-  RowOfWeights weights{};
-  weights[0].fill(4);
-  RowOfValues values;
-  EXPECT_TRUE(interpolate_row(1, 0, 0, weights, values));
-  EXPECT_FALSE(interpolate_row(3e38F, 0, 0, weights, values));
+// One of a row's pixels beyond the greatest float.
+TEST(RowWeights, TellOfInfiniteValues) {
+  PrimitiveInterpolation planes{.w = {1, 1, 1}};
+  planes.per_w[0] = {.at_anchor = 1, .step_x = 0.125};
+  planes.per_w[1] = {.at_anchor = 0, .step_x = -0.125};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    EXPECT_TRUE(row_of(isa, planes, 0, 0, {1.8e38F, 0, 0}).is_finite) << to_string(isa);
+    EXPECT_FALSE(row_of(isa, planes, 0, 0, {1.82e38F, 0, 0}).is_finite) << to_string(isa);
+    EXPECT_FALSE(row_of(isa, planes, 0, 0, {-1.82e38F, 0, 0}).is_finite) << to_string(isa);
+  }
 }
 
 TEST(Interpolation, AgreesWithTheFormulaeOfTheSpecification) {

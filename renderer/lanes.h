@@ -82,6 +82,9 @@ struct ScalarLanes {
   // a < b ? a : b, and a > b ? a : b: the second one if either is NaN.
   static Float lesser(Float a, Float b) { return a < b ? a : b; }
   static Float greater(Float a, Float b) { return a > b ? a : b; }
+  static Double greater(Double a, Double b) { return a > b ? a : b; }
+  // a <= b in every lane.
+  static bool all_at_most(Double a, Double b) { return a <= b; }
 
   // Some of the lanes, as what stores by them wants it.
   using Some = bool;
@@ -91,6 +94,7 @@ struct ScalarLanes {
   static Some some_from(uint64_t bits) {  // the bits from kFirst on
     return some(static_cast<uint32_t>(bits >> kFirst));
   }
+  static void store(Some lanes, Float value, float* values) { *values = lanes ? value : *values; }
   static void store(Some lanes, Int value, uint32_t* values) {
     *values = lanes ? static_cast<uint32_t>(value) : *values;
   }
@@ -376,6 +380,17 @@ struct VectorLanes {
 #endif
   }
 
+  [[gnu::always_inline]] static Double greater(const Double& a, const Double& b) {
+    return Double::each(
+        a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p > q ? p : q; });
+  }
+  [[gnu::always_inline]] static bool all_at_most(const Double& a, const Double& b) {
+    const Double beyond = Double::each(
+        a, b,
+        [](const Part& p, const Part& q) __attribute__((always_inline)) { return p <= q ? Part{} : Part{} + 1; });
+    return !any(to_float(beyond) > all(0.0F));
+  }
+
   using Some = std::conditional_t<kMasksAreBits, uint8_t, Mask>;
   [[gnu::always_inline]] static Some some(uint32_t bits) {
     if constexpr (kMasksAreBits) {
@@ -405,6 +420,17 @@ struct VectorLanes {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
     if constexpr (kMasksAreBits) {
       __builtin_ia32_storedqusi256_mask(reinterpret_cast<int32_t*>(values), value, lanes);
+      return;
+    }
+#endif
+    if constexpr (!kMasksAreBits) {
+      store(lanes ? value : load(values), values);
+    }
+  }
+  [[gnu::always_inline]] static void store(const Some& lanes, const Float& value, float* values) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kMasksAreBits) {
+      __builtin_ia32_storeups256_mask(values, value, lanes);
       return;
     }
 #endif

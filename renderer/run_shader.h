@@ -148,8 +148,8 @@ struct RunShader {
     const TilePrimitive<P>& primitive = primitives[run.primitive];
     if constexpr (BlockProgram<P>) {
       const int32_t beyond_tile = std::max(run.x + kBlockSize - tile_right, 0);
-      program.block(primitive.data, run.x - beyond_tile, run.y, uint64_t{run.samples} << beyond_tile,
-                    primitive.interpolation);
+      program.template block<L>(primitive.data, run.x - beyond_tile, run.y, uint64_t{run.samples} << beyond_tile,
+                                primitive.interpolation);
     } else {
       for (uint32_t rest = run.samples; rest != 0; rest &= rest - 1) {
         program.fragment(primitive.data,

@@ -78,13 +78,13 @@ concept FragmentProgram = PrimitiveProgram<P> &&
 };
 
 // A fragment program that takes the fragments of a block of 8x8 pixels at once where each pixel has one sample, which
-// all of them land on: bit 8 * row + column of `landed`. Must be inlined always, so that its loops are translated for
-// the chosen instruction set.
+// all of them land on: bit 8 * row + column of `landed`. L are the lanes of the chosen instruction set (lanes.h), for
+// which it must be inlined always.
 template <typename P>
 concept BlockProgram = FragmentProgram<P> &&
     requires(const P& program, const typename P::PrimitiveData& data, int32_t x, int32_t y, uint64_t landed,
              const PrimitiveInterpolation& interpolation) {
-  program.block(data, x, y, landed, interpolation);
+  program.template block<ScalarLanes>(data, x, y, landed, interpolation);
 };
 
 // A program that gives fragments their colour for the colour attachment, as many at once as there are lanes:

@@ -63,13 +63,14 @@ class VaryingsProgram {
   }
 
   // The same for a block of pixels of one sample, row by row where that pays.
+  template <typename L>
   [[gnu::always_inline]] void block(const PrimitiveData& data, int32_t x, int32_t y, uint64_t landed,
                                     const renderer::PrimitiveInterpolation& interpolation) const {
-    constexpr int kFew = 2;  // cost less one by one
+    constexpr int kFew = L::kWidth > 1 ? 1 : 2;  // cost less one by one
     const bool by_rows = is_plain_ && static_cast<size_t>(x) + renderer::kBlockSize <= width_;
     for (; landed != 0; landed >>= renderer::kBlockSize, ++y) {
       const auto row = static_cast<uint32_t>(landed & 0xFFU);
-      if (by_rows && std::popcount(row) > kFew && plain_row(data, x, y, row, interpolation)) {
+      if (by_rows && std::popcount(row) > kFew && plain_row<L>(data, x, y, row, interpolation)) {
         continue;
       }
       for (uint32_t rest = row; rest != 0; rest &= rest - 1) {
@@ -108,70 +109,70 @@ class VaryingsProgram {
     }
   }
 
-  // All bits of a row's pixels that have a fragment, none of the others.
-  using RowMask = std::array<uint32_t, renderer::kBlockSize>;
-
   // The fragments of a row of a block. False, and nothing written, where their weights have to be constrained.
+  template <typename L>
   [[nodiscard, gnu::always_inline]] bool plain_row(const PrimitiveData& data, int32_t x, int32_t y, uint32_t row,
                                                    const renderer::PrimitiveInterpolation& interpolation) const {
     const size_t pixel = static_cast<size_t>(y) * width_ + static_cast<size_t>(x);
-    RowMask own;
-    for (uint32_t i = 0; i < own.size(); ++i) {
-      own[i] = 0U - (row >> i & 1U);
-    }
     if (flat_end_ < component_count_) {
-      const renderer::RowWeights weights(interpolation, x, y);
+      const renderer::RowWeights<L> weights(interpolation, x, y);
       if (!weights.are_plausible()) {
         return false;
       }
       if (flat_end_ < smooth_end_) {
-        write_rows(data, flat_end_, smooth_end_, weights.smooth(), pixel, own);
+        write_components<L>(data, flat_end_, smooth_end_, weights.smooth(), pixel, row);
       }
       if (smooth_end_ < component_count_) {
-        write_rows(data, smooth_end_, component_count_, weights.noperspective(), pixel, own);
+        write_components<L>(data, smooth_end_, component_count_, weights.noperspective(), pixel, row);
       }
     }
-    for (size_t i = 0; i < own.size(); ++i) {
-      hits_[pixel + i] -= own[i];
-    }
-    write_row(owner_ + pixel, data.owner, own);
-    write_row(front_facing_ + pixel, data.front_facing, own);
-    for (uint32_t i = 0; i < flat_end_; ++i) {
-      write_row(components_[i].plane + pixel, data.components[0][components_[i].index], own);
+    for (uint32_t i = 0; i < renderer::kBlockSize; i += L::kWidth) {
+      const typename L::Some own = L::some(row >> i);
+      uint32_t* const hits = hits_ + pixel + i;
+      L::store(own, L::load(hits) + 1, hits);
+      L::store(own, typename L::Int{} + static_cast<int32_t>(data.owner), owner_ + pixel + i);
+      L::store(own, typename L::Int{} + static_cast<int32_t>(data.front_facing), front_facing_ + pixel + i);
+      for (uint32_t c = 0; c < flat_end_; ++c) {
+        L::store(own, L::all(data.components[0][components_[c].index]), components_[c].plane + pixel + i);
+      }
     }
     return true;
   }
 
-  template <typename T>
-  [[gnu::always_inline]] static void write_row(T* plane, T value, const RowMask& own) {
-    for (size_t i = 0; i < own.size(); ++i) {
-      plane[i] = own[i] != 0 ? value : plane[i];
-    }
-  }
-
-  template <typename T>
-  [[gnu::always_inline]] static void write_row(T* plane, const std::array<T, renderer::kBlockSize>& values,
-                                               const RowMask& own) {
-    for (size_t i = 0; i < own.size(); ++i) {
-      plane[i] = own[i] != 0 ? values[i] : plane[i];
-    }
-  }
-
   // Components [first, end), all of these weights.
-  [[gnu::always_inline]] void write_rows(const PrimitiveData& data, uint32_t first, uint32_t end,
-                                         const renderer::RowOfWeights& weights, size_t pixel,
-                                         const RowMask& own) const {
+  template <typename L>
+  [[gnu::always_inline]] void write_components(const PrimitiveData& data, uint32_t first, uint32_t end,
+                                               const renderer::RowOfWeights<L>& weights, size_t pixel,
+                                               uint32_t row) const {
     const auto& [value0, value1, value2] = data.components;
     for (uint32_t c = first; c < end; ++c) {
       const uint32_t index = components_[c].index;
-      renderer::RowOfValues values;
-      if (!renderer::interpolate_row(value0[index], value1[index], value2[index], weights, values)) {
-        for (size_t i = 0; i < values.size(); ++i) {
-          values[i] = renderer::interpolate(value0[index], value1[index], value2[index],
-                                            {weights[0][i], weights[1][i], weights[2][i]});
-        }
+      float* const plane = components_[c].plane + pixel;
+      renderer::RowOfValues<L> values;
+      if (!renderer::interpolate_row<L>(value0[index], value1[index], value2[index], weights, values)) {
+        write_finite<L>(value0[index], value1[index], value2[index], weights, plane, row);
+        continue;
       }
-      write_row(components_[c].plane + pixel, values, own);
+      for (uint32_t i = 0; i < renderer::kBlockSize; i += L::kWidth) {
+        L::store(L::some(row >> i), values[i / L::kWidth], plane + i);
+      }
+    }
+  }
+
+  // Pixel by pixel, where a value overflows a float.
+  template <typename L>
+  [[gnu::always_inline]] static void write_finite(float value0, float value1, float value2,
+                                                  const renderer::RowOfWeights<L>& weights, float* plane,
+                                                  uint32_t row) {
+    std::array<std::array<double, renderer::kBlockSize>, 3> of_pixels;
+    for (size_t v = 0; v < 3; ++v) {
+      for (size_t i = 0; i < weights[v].size(); ++i) {
+        L::store(weights[v][i], of_pixels[v].data() + i * L::kWidth);
+      }
+    }
+    for (; row != 0; row &= row - 1) {
+      const auto i = static_cast<size_t>(std::countr_zero(row));
+      plane[i] = renderer::interpolate(value0, value1, value2, {of_pixels[0][i], of_pixels[1][i], of_pixels[2][i]});
     }
   }
 
