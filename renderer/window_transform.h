@@ -132,10 +132,15 @@ template <typename L>
   const auto [x, y, z, w] = L::load_components(positions_clip->data());
   const Float minus_w = L::all(0.0F) - w;
   const Float near = depth_volume_.negative_one_to_one ? minus_w : L::all(0.0F);
-  typename L::Mask is_usual = (w >= L::all(kLeastInvertible)) & (w <= L::all(kGreatestInvertible)) & (minus_w <= x) &
-                              (x <= w) & (minus_w <= y) & (y <= w);
+  typename L::Mask is_usual = w >= L::all(kLeastInvertible);
+  is_usual &= w <= L::all(kGreatestInvertible);
+  for (const Float& side : {x, y}) {
+    is_usual &= minus_w <= side;
+    is_usual &= side <= w;
+  }
   if (depth_volume_.clips) {
-    is_usual &= (near <= z) & (z <= w);
+    is_usual &= near <= z;
+    is_usual &= z <= w;
   }
   // As framebuffer_as_lavapipe() and snap().
   const Float reciprocal_w = L::all(1.0F) / w;
