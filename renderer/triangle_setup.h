@@ -138,8 +138,9 @@ class TriangleLanes {
 
     Int covered{};
     if (tiny.is_wanted && visible != 0) {
-      const auto is_tiny = (length < kTinyExtent) & (pixels.right - pixels.left <= kTinyWidth) &
-                           (pixels.bottom - pixels.top <= kTinyHeight);
+      const Int width = pixels.right - pixels.left;
+      const auto is_tiny =
+          (length < kTinyExtent) & (width > 0) & (width <= kTinyWidth) & (pixels.bottom - pixels.top <= kTinyHeight);
       const auto turned = doubled_area < L::all(0.0F);
       const std::array<Corner, 3> triangle{
           {a, {turned ? c.x : b.x, turned ? c.y : b.y}, {turned ? b.x : c.x, turned ? b.y : c.y}}};
