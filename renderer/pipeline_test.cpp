@@ -339,7 +339,9 @@ TEST(HiddenBlocks, LeaveWhatDrawsOfOneTriangleLeave) {
       for (uint32_t triangle = 0; triangle < target.positions.size() / 3; ++triangle) {
         ASSERT_TRUE(draw(input, OneColor{target, triangle}, options));
       }
-      EXPECT_EQ(drawn(target, false, options), one_by_one) << to_string(isa) << ", samples: " << samples;
+      const ColoredPlanes at_once = drawn(target, false, options);
+      EXPECT_EQ(at_once, one_by_one) << to_string(isa) << ", samples: " << samples;
+      EXPECT_EQ(at_once, drawn(target, false, {.isa = Isa::kScalar})) << to_string(isa) << ", samples: " << samples;
     }
   }
 }
