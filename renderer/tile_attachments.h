@@ -80,8 +80,8 @@ class TileAttachments {
 
   // From a pixel whose block was loaded.
   [[nodiscard, gnu::always_inline]] Values at(int32_t x, int32_t y) const {
-    const auto pixel = static_cast<size_t>((y - top_) * kTileSize + (x - left_));
-    const size_t first = pixel * input_.samples;
+    const int32_t pixel = (y - top_) * kTileSize + (x - left_);
+    const size_t first = static_cast<size_t>(pixel) * input_.samples;
     return {depths_ == nullptr ? nullptr : depths_ + first, colors_ == nullptr ? nullptr : colors_ + first};
   }
 
@@ -100,7 +100,8 @@ class TileAttachments {
 
    private:
     [[nodiscard, gnu::always_inline]] ptrdiff_t offset(int32_t x, int32_t y) const {
-      return ptrdiff_t{((y - top) * kTileSize + (x - left)) * static_cast<int32_t>(kSamples)};
+      const int32_t pixel = (y - top) * kTileSize + (x - left);
+      return ptrdiff_t{pixel} * ptrdiff_t{kSamples};
     }
   };
   // kSamples: that of the draw.

@@ -76,7 +76,7 @@ class LaneTriangleBuffer {
   };
 
   // As plane_anchor().
-  [[gnu::always_inline]] LaneAnchors plane_anchors(const PreparedDraw& draw) const {
+  [[nodiscard, gnu::always_inline]] LaneAnchors plane_anchors(const PreparedDraw& draw) const {
     const auto [x0, y0] = L::load_pairs(&corners_[0].front().x_fixed);
     const auto [x1, y1] = L::load_pairs(&corners_[1].front().x_fixed);
     const auto [x2, y2] = L::load_pairs(&corners_[2].front().x_fixed);
@@ -95,7 +95,7 @@ class LaneTriangleBuffer {
     return {.at_anchor = coefficients[2][lane], .step_x = coefficients[0][lane], .step_y = coefficients[1][lane]};
   }
 
-  [[gnu::noinline]] PrimitiveInterpolation constant(uint32_t lane) const {
+  [[nodiscard, gnu::noinline]] PrimitiveInterpolation constant(uint32_t lane) const {
     return make_constant_interpolation(depth_transform_,
                                        {positions_clip_[0][lane], positions_clip_[1][lane], positions_clip_[2][lane]},
                                        anchor_x_[lane], anchor_y_[lane]);
