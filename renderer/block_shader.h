@@ -10,6 +10,7 @@
 #include <type_traits>
 
 #include "renderer/edge_fill.h"
+#include "renderer/lane_pairs.h"
 #include "renderer/primitive_shader.h"
 #include "renderer/sample_rows.h"
 
@@ -258,10 +259,10 @@ struct BlockShader {
     const PreparedDraw& draw = shader.draw;
     const PrimitiveInterpolation& planes = shader.primitive.interpolation;
     const WindowPlane& depth = planes.depth_framebuffer;
-    const double left = static_cast<double>(x - planes.anchor_x) + draw.first_sample.x;
-    const double right = static_cast<double>(x - planes.anchor_x) + draw.last_sample.x;
-    const double top = static_cast<double>(y - planes.anchor_y) + draw.first_sample.y;
-    const double bottom = static_cast<double>(y + kLast - planes.anchor_y) + draw.last_sample.y;
+    const double left = static_cast<double>(x - planes.anchor_x) + draw.least_sample_offset.x;
+    const double right = static_cast<double>(x - planes.anchor_x) + draw.greatest_sample_offset.x;
+    const double top = static_cast<double>(y - planes.anchor_y) + draw.least_sample_offset.y;
+    const double bottom = static_cast<double>(y + kLast - planes.anchor_y) + draw.greatest_sample_offset.y;
     return depth.at(depth.step_x < 0 ? right : left, depth.step_y < 0 ? bottom : top);
   }
 

@@ -12,6 +12,7 @@
 
 #include "renderer/interpolation.h"
 #include "renderer/lanes.h"
+#include "renderer/simd_vector.h"
 
 namespace fillrule::renderer {
 
@@ -112,8 +113,9 @@ inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolati
 // Clamped to [0, 1], NaN to 0, and to the nearest of 256 codes, ties to even.
 template <typename L>
 [[gnu::always_inline]] inline typename L::Int packed_unorm8(const Color<L>& color) {
+  // What is less than 0, and NaN, packed_bytes() takes for 0.
   const auto codes = [](const typename L::Float& value) __attribute__((always_inline)) {
-    return L::lesser(L::all(1.0F), value) * L::all(255.0F);  // what is less than 0, and NaN, stays so: see there
+    return L::lesser(L::all(1.0F), value) * L::all(255.0F);
   };
   return L::packed_bytes(codes(color[0]), codes(color[1]), codes(color[2]), codes(color[3]));
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <utility>
 
+#include "renderer/lane_pairs.h"
 #include "renderer/shading.h"
 
 namespace fillrule::renderer::internal {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "renderer/lanes.h"
+#include "renderer/vector_lanes.h"
 
 namespace fillrule::renderer {
 

@@ -11,6 +11,7 @@
 
 #include "renderer/coverage.h"
 #include "renderer/isa.h"
+#include "renderer/lane_pairs.h"
 
 namespace fillrule::renderer {
 namespace {

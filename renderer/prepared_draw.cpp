@@ -162,12 +162,12 @@ void set_up_samples(PreparedDraw& prepared) {
     prepared.sample_offsets_x[i] = pixel + from_centre.x;
     prepared.sample_offsets_y[i] = from_centre.y;
     if (i == 0) {
-      prepared.first_sample = prepared.last_sample = from_centre;
+      prepared.least_sample_offset = prepared.greatest_sample_offset = from_centre;
     }
-    prepared.first_sample = {std::min(prepared.first_sample.x, prepared.sample_offsets_x[i]),
-                             std::min(prepared.first_sample.y, prepared.sample_offsets_y[i])};
-    prepared.last_sample = {std::max(prepared.last_sample.x, prepared.sample_offsets_x[i]),
-                            std::max(prepared.last_sample.y, prepared.sample_offsets_y[i])};
+    prepared.least_sample_offset = {std::min(prepared.least_sample_offset.x, prepared.sample_offsets_x[i]),
+                                    std::min(prepared.least_sample_offset.y, prepared.sample_offsets_y[i])};
+    prepared.greatest_sample_offset = {std::max(prepared.greatest_sample_offset.x, prepared.sample_offsets_x[i]),
+                                       std::max(prepared.greatest_sample_offset.y, prepared.sample_offsets_y[i])};
   }
 }
 

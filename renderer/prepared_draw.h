@@ -69,9 +69,9 @@ struct PreparedDraw {
   // Of the samples of eight pixels side by side, as they lie in the attachments: pixels from the first one's centre.
   std::array<double, size_t{kMaxSamples} * kBlockSize> sample_offsets_x;
   std::array<double, size_t{kMaxSamples} * kBlockSize> sample_offsets_y;
-  // The least and the greatest of the offsets.
-  WindowOffset first_sample;
-  WindowOffset last_sample;
+  // The least and the greatest of them, x and y by themselves.
+  WindowOffset least_sample_offset;
+  WindowOffset greatest_sample_offset;
 
   // The pixels in which a small triangle is covered by spans: those in which fragments may land on any of the
   // samples. None for draws that have no spans.

@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <span>
 
+#include "renderer/lane_pairs.h"
 #include "renderer/primitive_shader.h"
 #include "renderer/row_spans.h"
 

@@ -25,8 +25,8 @@ fillrule::Result<void> check_command(const CLI::App& app, const std::string& giv
                            fillrule::format::suggestion(given, names, "the commands are"));
 }
 
-// Planes of pictures come and go by the thousand; to give them back to the system and ask again, page by page, is a
-// tenth of a run's work.
+// Planes of pictures come and go by the thousand. To give them back to the system and ask again, page by page, was
+// some twentieth of a run's samples in a profile.
 void keep_freed_memory() {
 #if defined(__GLIBC__)
   mallopt(M_MMAP_THRESHOLD, 32 << 20);
