@@ -51,7 +51,7 @@ for columns in 40 60 100; do
   [ -z "$long" ] || fail "a terminal of $columns columns is overrun: $long"
 done
 
-# A run that takes longer than a second.
+# A run that takes some seconds: progress is first shown after one, on a fast machine too.
 cat >"$work/long.toml" <<'TOML'
 title = "long"
 why = "takes long enough to show how far it is"
@@ -60,13 +60,14 @@ spec = "none"
 size = [512, 512]
 [sweep]
 x = { from = 1, to = 60, step = 1 }
+y = { from = 1, to = 4, step = 1 }
 [[draw]]
 space = "framebuffer"
-positions = [[0, 0], ["500 + x", 0], [0, 511]]
+positions = [[0, 0], ["500 + x", 0], [0, "511 + y"]]
 TOML
 long="'$fillrule' run '$work/long.toml' --reference none --jobs 1"
 output=$(on_terminal 100 "$long")
-holds "$output" 'of 60 cases, ' 'progress'
+holds "$output" 'of 240 cases, ' 'progress'
 holds "$output" ' left' 'progress'
 holds "$output" $'\r'"$(printf '%99s' '')"$'\r' 'progress is taken away'
 lacks "$(on_terminal 100 "TERM=dumb $long")" "$escape" 'progress on a dumb terminal'
