@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <span>
 
 namespace fillrule::renderer {
 namespace {
@@ -41,12 +43,20 @@ Result<void> check_indices(const VertexStream& stream) {
   if (!stream.indices) {
     return {};
   }
+  const auto vertex = [&](uint32_t index) { return int64_t{index} + stream.vertex_offset; };
+  const auto exists = [&](uint32_t index) { return vertex(index) >= 0 && vertex(index) < stream.vertex_count; };
   for (const ElementRun& run : runs_of(stream)) {
-    for (const uint32_t index : stream.indices->subspan(run.first, run.count)) {
-      const int64_t vertex = int64_t{index} + stream.vertex_offset;
-      if (vertex < 0 || vertex >= stream.vertex_count) {
-        return failure(fmt::format("index {} in a draw of {} vertices", vertex, stream.vertex_count));
-      }
+    const std::span<const uint32_t> indices = stream.indices->subspan(run.first, run.count);
+    // Which one is wrong is asked only if one is: the extremes are found by vectors.
+    uint32_t least = std::numeric_limits<uint32_t>::max();
+    uint32_t greatest = 0;
+    for (const uint32_t index : indices) {
+      least = std::min(least, index);
+      greatest = std::max(greatest, index);
+    }
+    if (!indices.empty() && !(exists(least) && exists(greatest))) {
+      const uint32_t wrong = *std::ranges::find_if_not(indices, exists);
+      return failure(fmt::format("index {} in a draw of {} vertices", vertex(wrong), stream.vertex_count));
     }
   }
   return {};

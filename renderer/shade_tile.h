@@ -237,8 +237,16 @@ template <typename L, typename Coverage, Program P>
   static thread_local TileAttachments::Storage storage;
   static thread_local std::vector<TileEntry> entries;
   entries.clear();
+  // A tile's bins are far apart, one in each chunk, and another thread may have made them.
   for (const PrimitiveChunk& chunk : chunks) {
-    chunk.append_to(entries, tile);
+    chunk.prefetch_bin(tile);
+  }
+  for (size_t i = 0; i < chunks.size(); ++i) {
+    constexpr size_t kAhead = 8;
+    if (i + kAhead < chunks.size()) {
+      chunks[i + kAhead].prefetch_entries(tile);
+    }
+    chunks[i].append_to(entries, tile);
   }
   TileAttachments attachments(draw, tile_pixels, is_first, storage);
   ShadingQueue<L, Coverage, P> queue(draw, program, positions_clip, tile_pixels, attachments);

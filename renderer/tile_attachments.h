@@ -123,6 +123,9 @@ class TileAttachments {
 
   // The blocks that a rectangle touches.
   [[gnu::always_inline]] void load(const PixelRect& rect) {
+    if (loaded_ == ~uint64_t{0}) {
+      return;
+    }
     const auto first = block_number(rect.left, rect.top);
     const auto last = block_number(rect.right - 1, rect.bottom - 1);
     constexpr uint64_t kFirstColumn = 0x0101010101010101U;

@@ -59,6 +59,10 @@ class PrimitiveChunk {
   // An estimate, once it is sorted: the areas of the bounding boxes in pixels, some more for each primitive.
   [[nodiscard]] size_t cost() const { return cost_; }
 
+  // Asks for where a tile's bin begins, and for what is in it once that has arrived.
+  void prefetch_bin(uint32_t tile) const { __builtin_prefetch(&bin_begins_[tile]); }
+  void prefetch_entries(uint32_t tile) const { __builtin_prefetch(bin_entries_.data() + bin_begins_[tile]); }
+
   // Appends the primitives that may touch the tile, in the order of submission.
   void append_to(std::vector<TileEntry>& entries, uint32_t tile) const;
 

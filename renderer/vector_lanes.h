@@ -94,8 +94,7 @@ struct VectorLanes {
     if constexpr (kParts == 1) {
       return __builtin_convertvector(value.parts[0], Float);
     } else {
-      return joined<Float>(__builtin_convertvector(value.parts[0], HalfFloat),
-                           __builtin_convertvector(value.parts[1], HalfFloat),
+      return joined<Float>(narrowed(value.parts[0]), narrowed(value.parts[1]),
                            std::make_integer_sequence<int, kWidth>());
     }
   }
@@ -461,9 +460,34 @@ struct VectorLanes {
     for (uint32_t i = 0; i < kParts; ++i) {
       Half half;
       std::memcpy(&half, reinterpret_cast<const std::byte*>(&value) + i * sizeof half, sizeof half);  // NOLINT
-      result.parts[i] = __builtin_convertvector(half, Part);
+      result.parts[i] = widened_half(half);
     }
     return result;
+  }
+  // Of half of the lanes, which GCC 12 would do in halves once more.
+  [[gnu::always_inline]] static Part widened_half(const HalfFloat& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kDoubleBytes == 32) {
+      return __builtin_ia32_cvtps2pd256(value);
+    }
+#endif
+    return __builtin_convertvector(value, Part);
+  }
+  [[gnu::always_inline]] static Part widened_half(const HalfInt& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kDoubleBytes == 32) {
+      return __builtin_ia32_cvtdq2pd256(value);
+    }
+#endif
+    return __builtin_convertvector(value, Part);
+  }
+  [[gnu::always_inline]] static HalfFloat narrowed(const Part& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kDoubleBytes == 32) {
+      return __builtin_ia32_cvtpd2ps256(value);
+    }
+#endif
+    return __builtin_convertvector(value, HalfFloat);
   }
   // In each 16 bytes: two values of a from kFirst on, each followed by that of b.
   template <int kFirst>
