@@ -60,6 +60,8 @@ expect 2 'a second time' "$fillrule" merge shards/1 shards/1 shards/2 -o refused
 expect 2 'nowhere/results.json: cannot be read' "$fillrule" merge nowhere -o refused
 "$fillrule" run "${cases[@]}" --shard 3/3 --reference none --report other >/dev/null 2>&1
 expect 2 'other/results.json: is of other parties: renderer (8 subpixel bits) against none' "$fillrule" merge shards/1 shards/2 other -o refused
+"$fillrule" run "${cases[@]}" --shard 3/3 --reference lavapipe --profile top_left --report stricter >/dev/null 2>&1
+expect 2 'stricter/results.json: is judged by profile top_left' "$fillrule" merge shards/1 shards/2 stricter -o refused
 mkdir -p broken && echo '{' >broken/results.json
 expect 2 'broken/results.json: is not what a run leaves behind' "$fillrule" merge broken -o refused
 [ ! -e refused ] || fail 'a refused merge leaves a folder behind'

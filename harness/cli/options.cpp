@@ -1,7 +1,6 @@
 #include "harness/cli/options.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -16,14 +15,18 @@
 namespace fillrule::cli {
 namespace {
 
+std::vector<std::string> profile_names() {
+  std::vector<std::string> names;
+  for (const judge::ProfilePart& part : judge::kProfileParts) names.emplace_back(part.name);
+  return names;
+}
+
 judge::Profile profile_of(const std::vector<std::string>& names) {
-  const auto named = [&names](const char* name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
-  return {.top_left = named("top_left"),
-          .diamond_exit = named("diamond_exit"),
-          .precise = named("precise"),
-          .same_bits = named("same_bits")};
+  judge::Profile profile;
+  for (const judge::ProfilePart& part : judge::kProfileParts) {
+    profile.*part.member = std::find(names.begin(), names.end(), part.name) != names.end();
+  }
+  return profile;
 }
 
 bool is_below(const std::string& path, const std::string& folder) {
@@ -41,12 +44,7 @@ std::string party_flags(const run::RunOptions& options) {
   if (options.candidate_options.subpixel_bits != defaults.candidate_options.subpixel_bits) {
     flags += fmt::format(" --subpixel-bits {}", options.candidate_options.subpixel_bits);
   }
-  std::vector<std::string> profiles;
-  if (options.profile.top_left) profiles.emplace_back("top_left");
-  if (options.profile.precise) profiles.emplace_back("precise");
-  if (options.profile.diamond_exit) profiles.emplace_back("diamond_exit");
-  if (options.profile.same_bits) profiles.emplace_back("same_bits");
-  if (!profiles.empty()) flags += fmt::format(" --profile {}", fmt::join(profiles, ","));
+  if (const std::string profile = to_string(options.profile); !profile.empty()) flags += " --profile " + profile;
   return flags;
 }
 
@@ -153,7 +151,7 @@ void add_party_options(CLI::App& command, PartyOptions& options) {
                   "(unclipped coverage equal to the reference's)")
       ->delimiter(',')
       ->allow_extra_args(false)
-      ->check(CLI::IsMember({"top_left", "diamond_exit", "precise", "same_bits"}));
+      ->check(CLI::IsMember(profile_names()));
 }
 
 void add_isa_option(CLI::App& command, renderer::Isa& isa) {

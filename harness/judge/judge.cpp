@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
 
 #include "harness/judge/judged_party.h"
 
@@ -275,6 +276,16 @@ class CaseJudge {
 };
 
 }  // namespace
+
+std::string to_string(const Profile& profile) {
+  std::string names;
+  for (const ProfilePart& part : kProfileParts) {
+    if (!(profile.*part.member)) continue;
+    if (!names.empty()) names += ',';
+    names += part.name;
+  }
+  return names;
+}
 
 Oracle::Oracle(const Case& test_case, uint32_t candidate_bits, std::optional<uint32_t> reference_bits)
     : for_candidate_(test_case, candidate_bits) {

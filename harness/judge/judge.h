@@ -2,8 +2,10 @@
 // The two are never held against each other, so that neither can be accused for the other's fault.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
+#include <string>
 
 #include "cases/model/case.h"
 #include "cases/model/planes.h"
@@ -30,6 +32,17 @@ struct Profile {
   // candidate of the same subpixel bits as the reference.
   bool same_bits = false;
 };
+
+struct ProfilePart {
+  const char* name;
+  bool Profile::*member;
+};
+inline constexpr std::array kProfileParts{
+    ProfilePart{"top_left", &Profile::top_left}, ProfilePart{"precise", &Profile::precise},
+    ProfilePart{"diamond_exit", &Profile::diamond_exit}, ProfilePart{"same_bits", &Profile::same_bits}};
+
+// The names of its parts with commas between them; empty where nothing is asked for.
+std::string to_string(const Profile& profile);
 
 struct Settings {
   Profile profile;

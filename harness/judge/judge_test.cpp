@@ -112,6 +112,11 @@ void expect_fault(const std::string& plane_name, const Spoil& spoil, const Case&
   EXPECT_EQ(plane(alone, plane_name).candidate_faults(), 1U) << plane_name;
 }
 
+TEST(Profile, IsNamedByItsParts) {
+  EXPECT_EQ(to_string(Profile{}), "");
+  EXPECT_EQ(to_string(Profile{.top_left = true, .same_bits = true}), "top_left,same_bits");
+}
+
 TEST(Judge, MapsComeWithTheOraclesAnswers) {
   const Planes right = perfect(square());
   const CaseVerdict verdict = judge_pair(square(), right, right);

@@ -118,6 +118,7 @@ std::string to_json(const run::RunResult& result, const run::DeviationReport& de
               {"name", result.reference.name},
               {"version", result.reference.version},
               {"subpixel_bits", result.reference.subpixel_bits}}},
+            {"profile", result.profile},
             {"timing", timing_json(result.timing.run)}};
   if (result.shard.total > 1) {
     json["shard"] = {

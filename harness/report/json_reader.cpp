@@ -126,6 +126,7 @@ run::RunResult run_result(const Json& json) {
                                       .name = reference.at("name"),
                                       .version = reference.at("version"),
                                       .subpixel_bits = reference.at("subpixel_bits")},
+                        .profile = json.at("profile"),
                         .timing = {.run = timing(json.at("timing"))}};
   if (json.contains("shard")) {
     const Json& shard = json.at("shard");

@@ -27,6 +27,7 @@ run::RunResult one_failure() {
   run::RunResult run{.candidate = "renderer",
                      .candidate_subpixel_bits = 8,
                      .reference = {.driver = "lavapipe", .name = "llvmpipe", .version = "Mesa 1", .subpixel_bits = 8},
+                     .profile = "top_left,precise",
                      .cases = {result}};
   run.summary = run::summarise(run.cases, 0.25);
   return run;
@@ -55,6 +56,7 @@ TEST(Json, HoldsTheSummaryThePartiesAndEveryCase) {
   EXPECT_EQ(json["candidate"]["name"], "renderer");
   EXPECT_EQ(json["reference"]["driver"], "lavapipe");
   EXPECT_EQ(json["reference"]["subpixel_bits"], 8);
+  EXPECT_EQ(json["profile"], "top_left,precise");
   const auto& depth = json["cases"][0]["planes"]["depth"];
   EXPECT_EQ(depth["identical"], 10);
   EXPECT_EQ(depth["permitted"], 3);

@@ -28,6 +28,23 @@ Result<void> check_parties(std::span<const NamedResult> parts) {
   return {};
 }
 
+// Under another profile other verdicts are faults.
+Result<void> check_profiles(std::span<const NamedResult> parts) {
+  const auto described = [](const std::string& profile) {
+    return profile.empty() ? std::string("no profile") : "profile " + profile;
+  };
+  const NamedResult& first = parts.front();
+  for (const NamedResult& part : parts) {
+    if (part.result.profile != first.result.profile) {
+      return tl::unexpected(
+          Error{.file = part.file,
+                .what = fmt::format("is judged by {}", described(part.result.profile)),
+                .hint = fmt::format("{} is judged by {}", first.file, described(first.result.profile))});
+    }
+  }
+  return {};
+}
+
 Result<void> check_names(std::span<const NamedResult> parts) {
   std::map<std::string, std::string> files;
   for (const NamedResult& part : parts) {
@@ -108,6 +125,7 @@ std::vector<Case> cases_of(const Shard& shard, std::vector<Case> suite) {
 Result<RunResult> merge_results(std::span<const NamedResult> parts) {
   if (parts.empty()) return failure("there are no results to merge");
   if (const auto same = check_parties(parts); !same) return tl::unexpected(same.error());
+  if (const auto same = check_profiles(parts); !same) return tl::unexpected(same.error());
   if (const auto distinct = check_names(parts); !distinct) return tl::unexpected(distinct.error());
   Result<std::vector<CaseResult>> cases = cases_in_order(parts);
   if (!cases) return tl::unexpected(cases.error());
@@ -115,6 +133,7 @@ Result<RunResult> merge_results(std::span<const NamedResult> parts) {
   RunResult merged{.candidate = first.candidate,
                    .candidate_subpixel_bits = first.candidate_subpixel_bits,
                    .reference = first.reference,
+                   .profile = first.profile,
                    .cases = std::move(*cases)};
   double wall_seconds = 0;
   for (const NamedResult& part : parts) {

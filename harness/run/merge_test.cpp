@@ -74,6 +74,18 @@ TEST(MergeResults, OtherPartiesAreRefused) {
   EXPECT_THAT(error_of({shard(0, 2, {"a", "c", "e"}), other}), HasSubstr("is of other parties: painter"));
 }
 
+TEST(MergeResults, OtherProfilesAreRefused) {
+  NamedResult first = shard(0, 2, {"a", "c", "e"});
+  first.result.profile = "top_left";
+  NamedResult second = shard(1, 2, {"b", "d"});
+  EXPECT_THAT(error_of({first, second}), HasSubstr("shard-1/results.json: is judged by no profile"));
+  EXPECT_THAT(error_of({first, second}), HasSubstr("shard-0/results.json is judged by profile top_left"));
+  second.result.profile = "top_left";
+  const auto merged = merge_results(std::vector{first, second});
+  ASSERT_TRUE(merged) << to_string(merged.error());
+  EXPECT_EQ(merged->profile, "top_left");
+}
+
 TEST(MergeResults, ACaseThatIsThereTwiceIsRefused) {
   EXPECT_THAT(error_of({shard(0, 2, {"a", "c", "e"}), shard(1, 2, {"b", "c"})}),
               HasSubstr("shard-1/results.json: holds the case \"c\" a second time"));

@@ -68,6 +68,7 @@ struct RunResult {
   std::string candidate;
   uint32_t candidate_subpixel_bits = 0;
   Reference reference;
+  std::string profile;  // as to_string() of judge.h has it
   Shard shard;
   std::vector<CaseResult> cases;
   Summary summary;

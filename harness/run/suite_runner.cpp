@@ -243,7 +243,8 @@ SuiteRunner::~SuiteRunner() = default;
 RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress) {
   RunResult result{.candidate = state_->candidate.name,
                    .candidate_subpixel_bits = state_->candidate.subpixel_bits,
-                   .reference = {.driver = kNoReference}};
+                   .reference = {.driver = kNoReference},
+                   .profile = to_string(state_->options.profile)};
   if (!state_->devices.empty()) {
     const vulkan::DeviceInfo& device = state_->devices.front().device();
     result.reference = {.driver = device.driver,
