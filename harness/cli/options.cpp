@@ -17,6 +17,7 @@ namespace {
 
 std::vector<std::string> profile_names() {
   std::vector<std::string> names;
+  names.reserve(judge::kProfileParts.size());
   for (const judge::ProfilePart& part : judge::kProfileParts) names.emplace_back(part.name);
   return names;
 }
