@@ -121,7 +121,7 @@ TEST(CheckIndices, WithTheOffsetTheyMustBeVertices) {
 }
 
 TEST(CheckIndices, TheFirstThatIsNoVertexIsNamed) {
-  const std::array<uint32_t, 5> indices = {2, 0, 7, 1, 9};
+  const std::array<uint32_t, 5> indices = {2, 0, 7, 9, 1};
   const auto checked = check_indices({.vertex_count = 7, .indices = std::span<const uint32_t>(indices)});
   ASSERT_FALSE(checked);
   EXPECT_EQ(checked.error().what, "index 7 in a draw of 7 vertices");
