@@ -107,6 +107,22 @@ TEST(Lanes, CutOffFractionsAndSigns) {
   }
 }
 
+TEST(Lanes, WidenWholeNumbersExactly) {
+  constexpr std::array<int32_t, kCount> kValues{0,         -1, 7, 16777217, -16777217, 2147483647, -2147483647 - 1,
+                                                1234567891};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<double, kCount> widened{};
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            L::store(L::to_double(L::load(kValues.data() + i)), widened.data() + i);
+          }
+        });
+    for (size_t i = 0; i < kValues.size(); ++i) EXPECT_EQ(widened[i], kValues[i]) << to_string(isa);
+  }
+}
+
 TEST(Lanes, RoundOnce) {
   // 1 + 2^-23 squared less 1 + 2^-22 is 2^-46, of which rounding the product first leaves nothing.
   const std::array<float, kCount> factors{1 + 0x1p-23F, 2, -0.5F, 1 + 0x1p-23F, 3, 1e20F, 0, -1};
