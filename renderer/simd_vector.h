@@ -18,4 +18,9 @@ struct SimdVector {
   using Type [[gnu::vector_size(kBytes)]] = T;
 };
 
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+// What the builtins of AVX-512 are told: the rounding that there is.
+inline constexpr int kCurrentRounding = 4;
+#endif
+
 }  // namespace fillrule::renderer

@@ -1,4 +1,5 @@
-// The lane types of several lanes (lanes.h says what their operations do), and the only place with intrinsics.
+// The lane types of several lanes (lanes.h says what their operations do), and with double_lanes.h the only place
+// with intrinsics.
 //
 // They are made of vectors of the compilers' extension (simd_vector.h), for the instructions of the function that
 // they are inlined into (isa.h chooses those at run time). Whatever takes or returns lanes must therefore be inlined
@@ -48,8 +49,6 @@ struct VectorLanes {
   using Int = typename SimdVector<int32_t, kFloatBytes>::Type;
   using Mask = Int;                                              // all bits of a lane, or none
   using Part = typename SimdVector<double, kDoubleBytes>::Type;  // of Double
-  using HalfFloat = typename SimdVector<float, kDoubleBytes / 2>::Type;
-  using HalfInt = typename SimdVector<int32_t, kDoubleBytes / 2>::Type;
   using Bytes = typename SimdVector<int8_t, kWidth>::Type;
 
   using Double = DoubleLanes<kDoubleBytes, kParts>;
@@ -92,9 +91,9 @@ struct VectorLanes {
 
   [[gnu::always_inline]] static Float to_float(const Double& value) {
     if constexpr (kParts == 1) {
-      return __builtin_convertvector(value.parts[0], Float);
+      return Double::narrowed(value.parts[0]);
     } else {
-      return joined<Float>(narrowed(value.parts[0]), narrowed(value.parts[1]),
+      return joined<Float>(Double::narrowed(value.parts[0]), Double::narrowed(value.parts[1]),
                            std::make_integer_sequence<int, kWidth>());
     }
   }
@@ -102,20 +101,10 @@ struct VectorLanes {
     return __builtin_convertvector(value, Float);
   }
   [[gnu::always_inline]] static Double to_double(const Float& value) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kFloatBytes == 32 && kDoubleBytes == 64) {  // which GCC 12 would do in halves
-      return {{__builtin_ia32_cvtps2pd512_mask(value, Part{}, static_cast<uint8_t>(kAllOf512), kCurrentRounding)}};
-    }
-#endif
-    return widened<HalfFloat>(value);
+    return widened<typename Double::Floats>(value);
   }
   [[gnu::always_inline]] static Double to_double(const Int& value) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kFloatBytes == 32 && kDoubleBytes == 64) {
-      return {{__builtin_ia32_cvtdq2pd512_mask(value, Part{}, static_cast<uint8_t>(kAllOf512))}};
-    }
-#endif
-    return widened<HalfInt>(value);
+    return widened<typename Double::Ints>(value);
   }
   [[gnu::always_inline]] static Double magnitude(const Double& value) {
     return value.magnitude();
@@ -401,9 +390,8 @@ struct VectorLanes {
 
  private:
 #ifdef FILLRULE_HAS_LANE_BUILTINS
-  // What the builtins of AVX-512 are told: all lanes, the rounding that there is.
+  // What the builtins of AVX-512 are told: all lanes.
   static constexpr uint16_t kAllOf512 = 0xFFFF;
-  static constexpr int kCurrentRounding = 4;
 
   // In each 16 bytes of a packed vector four bytes of each value follow those of the last.
   [[gnu::always_inline]] static auto order_of_packed_bytes() {
@@ -460,34 +448,9 @@ struct VectorLanes {
     for (uint32_t i = 0; i < kParts; ++i) {
       Half half;
       std::memcpy(&half, reinterpret_cast<const std::byte*>(&value) + i * sizeof half, sizeof half);  // NOLINT
-      result.parts[i] = widened_half(half);
+      result.parts[i] = Double::widened(half);
     }
     return result;
-  }
-  // Of half of the lanes, which GCC 12 would do in halves once more.
-  [[gnu::always_inline]] static Part widened_half(const HalfFloat& value) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kDoubleBytes == 32) {
-      return __builtin_ia32_cvtps2pd256(value);
-    }
-#endif
-    return __builtin_convertvector(value, Part);
-  }
-  [[gnu::always_inline]] static Part widened_half(const HalfInt& value) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kDoubleBytes == 32) {
-      return __builtin_ia32_cvtdq2pd256(value);
-    }
-#endif
-    return __builtin_convertvector(value, Part);
-  }
-  [[gnu::always_inline]] static HalfFloat narrowed(const Part& value) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kDoubleBytes == 32) {
-      return __builtin_ia32_cvtpd2ps256(value);
-    }
-#endif
-    return __builtin_convertvector(value, HalfFloat);
   }
   // In each 16 bytes: two values of a from kFirst on, each followed by that of b.
   template <int kFirst>
