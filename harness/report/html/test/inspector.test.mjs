@@ -1,13 +1,14 @@
 // The inspector and the sentences: the numbers of results.json and of the planes, and the right class of error.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { launch, linkOf, makeReport, openReport, press, screenshotPath } from "./support.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { closePages, launch, linkOf, makeReport, openReport, press, screenshotPath } from "./support.mjs";
 
 let browser;
 
 before(async () => {
   browser = await launch();
 });
+afterEach(() => closePages(browser));
 after(() => browser.close());
 
 const hex = (bits) => `0x${bits.toString(16).padStart(8, "0")}`;

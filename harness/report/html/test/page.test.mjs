@@ -1,7 +1,7 @@
 // The page as its reader meets it: where it opens, keys, links, lists, names that might break it.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { launch, linkOf, makeReport, openReport, press, ready, screenshotPath, settled } from "./support.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { closePages, launch, linkOf, makeReport, openReport, press, ready, screenshotPath, settled } from "./support.mjs";
 
 const CASES = ["interpolation/modes_side_by_side", "interpolation/vertex_order", "culling/strip_parity"];
 const FAULTS = JSON.stringify({ faults: [{ name: "affine_varyings", what: "ignores w", caught_by: 7, cases: ["a/b", "c/d"], planes: ["uv"] }] });
@@ -12,6 +12,7 @@ before(async () => {
   browser = await launch();
   shifted = makeReport("shifted", "shifted", CASES, { files: { "faults.json": FAULTS } });
 });
+afterEach(() => closePages(browser));
 after(() => browser.close());
 
 const firstFailed = (report) => report.results.cases.find((one) => one.status === "failed");

@@ -35,6 +35,11 @@ export async function launch() {
   return chromium.launch({ executablePath: "/usr/bin/chromium", args: FLAGS, headless: true });
 }
 
+// What a test has opened would go on drawing beside those that follow.
+export async function closePages(browser) {
+  for (const context of browser.contexts()) await context.close();
+}
+
 // The page, once it shows something. Errors of the console are kept in page.errors.
 export async function openReport(browser, report, { hash = "", ...options } = {}) {
   const context = await browser.newContext({ viewport: { width: 1280, height: 900 }, ...options });
@@ -77,25 +82,31 @@ export async function linkOf(page) {
 export async function coloursOf(page, slot, { width, height, samples }, at = 0.5) {
   const columns = { 1: 1, 2: 2, 4: 2, 8: 4, 16: 4 }[samples];
   const rows = samples / columns;
-  const read = await page.evaluate((name) => {
-    const canvas = document.querySelector(`canvas[data-slot=${name}]`);
-    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
-    const place = { left: Number(canvas.dataset.left), top: Number(canvas.dataset.top), scale: Number(canvas.dataset.scale) };
-    return { data: Array.from(data), width: canvas.width, height: canvas.height, ...place };
-  }, slot);
-  const colours = new Map();
-  for (let index = 0; index < width * height * samples; ++index) {
+  const places = Array.from({ length: width * height * samples }, (_, index) => {
     const sample = index % samples;
     const pixel = Math.floor(index / samples);
-    const x = (pixel % width) + ((sample % columns) + at) / columns;
-    const y = Math.floor(pixel / width) + (Math.floor(sample / columns) + at) / rows;
-    const canvasX = Math.floor((x - read.left) * read.scale);
-    const canvasY = Math.floor((y - read.top) * read.scale);
-    if (canvasX < 0 || canvasY < 0 || canvasX >= read.width || canvasY >= read.height) continue;
-    const offset = (canvasY * read.width + canvasX) * 4;
-    colours.set(index, read.data.slice(offset, offset + 3));
-  }
-  return colours;
+    return {
+      index,
+      x: (pixel % width) + ((sample % columns) + at) / columns,
+      y: Math.floor(pixel / width) + (Math.floor(sample / columns) + at) / rows,
+    };
+  });
+  // In the page, since a canvas has a million numbers, which take longer to hand over than to look up.
+  const colours = await page.evaluate(([name, wanted]) => {
+    const canvas = document.querySelector(`canvas[data-slot=${name}]`);
+    const { data } = canvas.getContext("2d").getImageData(0, 0, canvas.width, canvas.height);
+    const [left, top, scale] = [canvas.dataset.left, canvas.dataset.top, canvas.dataset.scale].map(Number);
+    const found = [];
+    for (const { index, x, y } of wanted) {
+      const canvasX = Math.floor((x - left) * scale);
+      const canvasY = Math.floor((y - top) * scale);
+      if (canvasX < 0 || canvasY < 0 || canvasX >= canvas.width || canvasY >= canvas.height) continue;
+      const offset = (canvasY * canvas.width + canvasX) * 4;
+      found.push([index, Array.from(data.subarray(offset, offset + 3))]);
+    }
+    return found;
+  }, [slot, places]);
+  return new Map(colours);
 }
 
 // Nothing but the pictures: no grid, outlines, numbers, rings.

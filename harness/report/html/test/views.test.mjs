@@ -1,7 +1,7 @@
 // The pictures: every view mode, read back from the canvas and held against the planes that the program wrote apart.
 import assert from "node:assert/strict";
-import { after, before, test } from "node:test";
-import { bare, coloursOf, launch, linkOf, makeReport, openReport, press, screenshotPath, settled } from "./support.mjs";
+import { after, afterEach, before, test } from "node:test";
+import { bare, closePages, coloursOf, launch, linkOf, makeReport, openReport, press, screenshotPath, settled } from "./support.mjs";
 
 const GROUND = [24, 26, 31];
 const COVERED = [235, 235, 235];
@@ -20,6 +20,7 @@ before(async () => {
   samples = makeReport("samples", "shifted", ["multisample/*"]);
   nan = makeReport("nan", "nan", ["interpolation/vertex_order"]);
 });
+afterEach(() => closePages(browser));
 after(() => browser.close());
 
 async function openBare(report, plane, view = "side") {
