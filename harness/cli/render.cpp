@@ -9,7 +9,7 @@
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
 #include "harness/cli/subject.h"
-#include "harness/mesh/image.h"
+#include "harness/images/images.h"
 #include "harness/scene/build.h"
 #include "harness/scene/painters.h"
 #include "harness/scene/picture.h"
@@ -62,7 +62,7 @@ Result<void> render_frame(const Case& view, const scene::Painter& paint, scene::
   const Result<Planes> planes = paint(*built, *shading);
   if (!planes) return tl::unexpected(planes.error());
   const scene::ColorPicture picture = scene::picture_of(*planes, view.scene->background);
-  return mesh::write_image(path, picture.width, picture.height, picture.rgb);
+  return images::write(path, images::rgb_layout(picture.width, picture.height), picture.rgb);
 }
 
 Result<void> check_output(const RenderOptions& options) {

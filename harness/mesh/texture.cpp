@@ -1,20 +1,13 @@
-#include "harness/mesh/image.h"
-
-#include <OpenImageIO/imageio.h>
-#include <fmt/format.h>
+#include "harness/mesh/texture.h"
 
 #include <algorithm>
 
-#include "cases/model/case.h"
+#include "harness/images/images.h"
 
 namespace fillrule::mesh {
 namespace {
 
-tl::unexpected<Error> cannot_read(const std::string& path, const std::string& reason) {
-  return tl::unexpected(Error{.file = path, .what = "cannot be read as an image: " + reason});
-}
-
-Texel texel_of(const float* channels, int count) {
+Texel texel_of(const float* channels, size_t count) {
   switch (count) {
     case 1:
       return {channels[0], channels[0], channels[0], 1};
@@ -48,40 +41,15 @@ TextureLevel half_of(const TextureLevel& level) {
   return half;
 }
 
-Result<void> write_image(const std::string& path, uint32_t width, uint32_t height, std::span<const float> rgb) {
-  const auto cannot_write = [&](const std::string& reason) {
-    return tl::unexpected(Error{.file = path, .what = "cannot be written as an image: " + reason});
-  };
-  const auto output = OIIO::ImageOutput::create(path);
-  if (!output) return cannot_write(OIIO::geterror());
-  const OIIO::TypeDesc type = path.ends_with(".exr") ? OIIO::TypeDesc::FLOAT : OIIO::TypeDesc::UINT8;
-  const OIIO::ImageSpec spec(static_cast<int>(width), static_cast<int>(height), 3, type);
-  if (!output->open(path, spec) || !output->write_image(OIIO::TypeDesc::FLOAT, rgb.data()) || !output->close()) {
-    return cannot_write(output->geterror());
-  }
-  return {};
-}
-
 Result<Texture> read_texture(const std::string& path, const Sampling2D& sampling) {
-  const auto input = OIIO::ImageInput::open(path);
-  if (!input) return cannot_read(path, OIIO::geterror());
-  const OIIO::ImageSpec& spec = input->spec();
-  const auto is_size = [](int size) { return size > 0 && size <= static_cast<int>(kMaxTargetSize); };
-  if (!is_size(spec.width) || !is_size(spec.height) || spec.nchannels < 1) {
-    return cannot_read(path, fmt::format("{} x {} pixels of {} channels; at most {} x {}", spec.width, spec.height,
-                                         spec.nchannels, kMaxTargetSize, kMaxTargetSize));
-  }
-  const int channels = std::min(spec.nchannels, 4);
-  const size_t pixels = static_cast<size_t>(spec.width) * static_cast<size_t>(spec.height);
-  std::vector<float> values(pixels * static_cast<size_t>(channels));
-  if (!input->read_image(0, 0, 0, channels, OIIO::TypeDesc::FLOAT, values.data())) {
-    return cannot_read(path, input->geterror());
-  }
+  const Result<images::Image> image = images::read(path, 4);
+  if (!image) return tl::unexpected(image.error());
+  const size_t channels = image->layout.channels.size();
   Texture texture{.sampling = sampling};
-  TextureLevel level{.width = static_cast<uint32_t>(spec.width), .height = static_cast<uint32_t>(spec.height)};
-  level.texels.reserve(pixels);
-  for (size_t i = 0; i < pixels; ++i) {
-    level.texels.push_back(texel_of(&values[i * static_cast<size_t>(channels)], channels));
+  TextureLevel level{.width = image->layout.width, .height = image->layout.height};
+  level.texels.reserve(image->values.size() / channels);
+  for (size_t i = 0; i < image->values.size(); i += channels) {
+    level.texels.push_back(texel_of(&image->values[i], channels));
   }
   texture.levels.push_back(std::move(level));
   while (sampling.mipmaps != Mipmaps::kNone &&

@@ -1,13 +1,14 @@
 #include "harness/report/pictures.h"
 
-#include <OpenImageIO/imageio.h>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <memory>
+#include <span>
+#include <utility>
 
+#include "harness/images/images.h"
 #include "harness/report/picture.h"
 
 namespace fillrule::report {
@@ -21,20 +22,10 @@ uint32_t scale_for(const Target& target) {
   return std::max(1U, kWantedWidth / std::max(target.width, target.height));
 }
 
-Result<void> write_image(const std::string& path, const OIIO::ImageSpec& spec, const OIIO::TypeDesc& type,
-                         const void* data) {
-  const std::unique_ptr<OIIO::ImageOutput> output = OIIO::ImageOutput::create(path);
-  if (!output) return tl::unexpected(Error{.file = path, .what = "cannot be written: " + OIIO::geterror()});
-  if (!output->open(path, spec) || !output->write_image(type, data) || !output->close()) {
-    return tl::unexpected(Error{.file = path, .what = "cannot be written: " + output->geterror()});
-  }
-  return {};
-}
-
 Result<void> write_png(const std::string& path, const Picture& picture) {
-  const OIIO::ImageSpec spec(static_cast<int>(picture.width), static_cast<int>(picture.height), 3,
-                             OIIO::TypeDesc::UINT8);
-  return write_image(path, spec, OIIO::TypeDesc::UINT8, picture.pixels.data());
+  static_assert(sizeof(Rgb) == 3);
+  const std::span bytes(reinterpret_cast<const uint8_t*>(picture.pixels.data()), picture.pixels.size() * sizeof(Rgb));
+  return images::write(path, images::rgb_layout(picture.width, picture.height), bytes);
 }
 
 // Channels by name, float32. The samples of a pixel lie side by side, which makes the picture wider.
@@ -56,11 +47,9 @@ Result<void> write_exr(const std::string& path, const Case& test_case, const Pla
     if (!planes.depth.empty()) pixel[4] = planes.depth[i];
     for (size_t c = first_varying; c < channels; ++c) pixel[c] = planes.varyings[c - first_varying][i];
   }
-  OIIO::ImageSpec spec(static_cast<int>(planes.width * planes.samples), static_cast<int>(planes.height),
-                       static_cast<int>(channels), OIIO::TypeDesc::FLOAT);
-  spec.channelnames = names;
-  spec.attribute("compression", "zip");
-  return write_image(path, spec, OIIO::TypeDesc::FLOAT, data.data());
+  const images::Layout layout{
+      .width = planes.width * planes.samples, .height = planes.height, .channels = std::move(names)};
+  return images::write(path, layout, std::span<const float>(data));
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "harness/report/pictures.h"
 
-#include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "cases/model/temporary_folder.h"
+#include "harness/images/images.h"
 #include "harness/report/picture.h"
 
 namespace fillrule::report {
@@ -52,17 +52,17 @@ TEST_F(PicturesTest, OnePngSideBySideAndOneExrForEachParty) {
   ASSERT_EQ(paths->size(), 3U);
   for (const std::string& path : *paths) EXPECT_TRUE(std::filesystem::exists(path)) << path;
 
-  const auto png = OIIO::ImageInput::open(paths->front());
+  const Result<images::Image> png = images::read(paths->front());
   ASSERT_TRUE(png);
   const uint32_t scale = 384 / 4;
-  EXPECT_EQ(png->spec().width, static_cast<int>(3 * 4 * scale + 4 * 4));
-  EXPECT_EQ(png->spec().height, static_cast<int>(2 * scale + 2 * 4));
-  std::vector<uint8_t> pixels(static_cast<size_t>(png->spec().width) * static_cast<size_t>(png->spec().height) * 3);
-  ASSERT_TRUE(png->read_image(0, 0, 0, 3, OIIO::TypeDesc::UINT8, pixels.data()));
+  EXPECT_EQ(png->layout.channels, (std::vector<std::string>{"R", "G", "B"}));
+  EXPECT_EQ(png->layout.width, 3 * 4 * scale + 4 * 4);
+  EXPECT_EQ(png->layout.height, 2 * scale + 2 * 4);
   const auto pixel = [&](size_t panel, size_t x, size_t y) {
     const size_t column = 4 + panel * (4 * scale + 4) + x * scale + scale / 2;
-    const size_t at = ((4 + y * scale + scale / 2) * static_cast<size_t>(png->spec().width) + column) * 3;
-    return std::array{pixels[at], pixels[at + 1], pixels[at + 2]};
+    const float* const rgb = &png->values[((4 + y * scale + scale / 2) * png->layout.width + column) * 3];
+    const auto byte = [rgb](size_t channel) { return static_cast<uint8_t>(std::lround(rgb[channel] * 255)); };
+    return std::array{byte(0), byte(1), byte(2)};
   };
   EXPECT_EQ(pixel(0, 1, 0), (std::array<uint8_t, 3>{255, 0, 255}));  // NaN has a colour of its own
   EXPECT_EQ(pixel(1, 0, 0), pixel(0, 0, 0));
@@ -73,15 +73,13 @@ TEST_F(PicturesTest, OnePngSideBySideAndOneExrForEachParty) {
 TEST_F(PicturesTest, TheExrHoldsEveryPlaneUnquantised) {
   const auto paths = write_pictures(folder_, case_, drawing(case_));
   ASSERT_TRUE(paths);
-  const auto exr = OIIO::ImageInput::open((*paths)[1]);
+  const Result<images::Image> exr = images::read((*paths)[1]);
   ASSERT_TRUE(exr);
-  const auto& names = exr->spec().channelnames;
-  std::vector<float> data(8 * names.size());
-  ASSERT_TRUE(exr->read_image(0, 0, 0, static_cast<int>(names.size()), OIIO::TypeDesc::FLOAT, data.data()));
+  const std::vector<std::string>& names = exr->layout.channels;
   const auto value = [&](const std::string& channel, size_t pixel) {
     const auto found = std::find(names.begin(), names.end(), channel);
     EXPECT_NE(found, names.end()) << channel;
-    return data[pixel * names.size() + static_cast<size_t>(found - names.begin())];
+    return exr->values[pixel * names.size() + static_cast<size_t>(found - names.begin())];
   };
   EXPECT_EQ(value("depth", 1), 0.123456789F);
   EXPECT_EQ(value("coverage", 1), 1.0F);

@@ -7,7 +7,7 @@
 #include <set>
 
 #include "cases/format/suggestion.h"
-#include "harness/mesh/image.h"
+#include "harness/mesh/texture.h"
 
 namespace fillrule::scene {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <random>
 
-#include "harness/mesh/image.h"
+#include "harness/mesh/texture.h"
 #include "harness/programs/shaded.h"
 
 namespace fillrule::scene {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <string_view>
 
-#include "harness/mesh/image.h"
+#include "harness/images/images.h"
 #include "harness/view/sdl_input.h"
 #include "harness/view/user_interface.h"
 
@@ -85,15 +85,16 @@ Result<void> write_screenshot(const std::string& path, const Rect& size) {
   std::vector<uint8_t> rgba(pixels * 4);
   glPixelStorei(GL_PACK_ALIGNMENT, 4);
   glReadPixels(0, 0, size.width, size.height, GL_RGBA, GL_UNSIGNED_BYTE, rgba.data());
-  std::vector<float> rgb;
+  std::vector<uint8_t> rgb;
   rgb.reserve(pixels * 3);
   for (int y = size.height - 1; y >= 0; --y) {  // from OpenGL's bottom row
     for (int x = 0; x < size.width; ++x) {
       const size_t first = (static_cast<size_t>(y) * static_cast<size_t>(size.width) + static_cast<size_t>(x)) * 4;
-      for (size_t c = 0; c < 3; ++c) rgb.push_back(static_cast<float>(rgba[first + c]) / 255);
+      for (size_t c = 0; c < 3; ++c) rgb.push_back(rgba[first + c]);
     }
   }
-  return mesh::write_image(path, static_cast<uint32_t>(size.width), static_cast<uint32_t>(size.height), rgb);
+  const auto layout = images::rgb_layout(static_cast<uint32_t>(size.width), static_cast<uint32_t>(size.height));
+  return images::write(path, layout, rgb);
 }
 
 // Where the input of a frame comes from: the user, a file, or the benchmark, which orbits.

@@ -14,7 +14,7 @@
 #include <filesystem>
 
 #include "cases/model/temporary_folder.h"
-#include "harness/mesh/image.h"
+#include "harness/mesh/texture.h"
 #include "harness/view/layout.h"
 
 namespace fillrule::view {
