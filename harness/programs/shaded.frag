@@ -4,6 +4,8 @@
 //
 // Powers are made by multiplying, levels of detail from the differences within a quad of pixels: both are then exact
 // operations, where pow() and a sampler's own choice of level leave much open.
+//
+// VARIANT tells whether there is a texture (1) and light (2): each of both is half of what a driver compiles.
 #version 450
 
 layout(push_constant) uniform Numbering {
@@ -102,8 +104,12 @@ void main() {
   const vec2 uv = in_2.xy;
 #endif
   vec3 color = shading.color.rgb;
-  if (shading.textured != 0) color *= texel_at(uv);
-  if (shading.lights >= 0) color = lit(color, in_0.xyz, vec3(in_0.w, in_1.xy));
+#if (VARIANT & 1) != 0
+  color *= texel_at(uv);
+#endif
+#if (VARIANT & 2) != 0
+  color = lit(color, in_0.xyz, vec3(in_0.w, in_1.xy));
+#endif
   out_0 = vec4(clamp(color, 0.0, 1.0), 1.0);
 #endif
 }

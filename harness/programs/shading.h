@@ -38,6 +38,11 @@ struct ShadingUniforms {
 };
 static_assert(sizeof(ShadingUniforms) == 496);
 
+// VARIANT of shaded.frag: 1 for a texture, 2 for light, added up.
+constexpr uint32_t shaded_variant(const ShadingUniforms& uniforms) {
+  return (uniforms.textured != 0 ? 1 : 0) + (uniforms.lights >= 0 ? 2 : 0);
+}
+
 struct DrawShading {
   ShadingUniforms uniforms;
   std::shared_ptr<const Texture> texture;  // null: none

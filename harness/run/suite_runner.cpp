@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <tuple>
 #include <utility>
 
 #include "harness/run/job_queue.h"
 #include "harness/run/lanes.h"
 #include "harness/run/reference.h"
 #include "harness/run/stopwatch.h"
+#include "harness/scene/build.h"
 #include "harness/scene/check.h"
 #include "reference/exact/features.h"
 
@@ -181,6 +183,15 @@ struct SuiteRunner::State {
     if (second) devices.push_back(std::move(*second));
   }
 
+  // Keeps the images that scenes show in `assets`. Done ahead of their turn, beside what is drawn until then: the
+  // library that reads them takes half a second to load, in which all threads would come to wait for it.
+  void read_images(std::span<const Case> cases) {
+    for (const Case& test_case : cases) {
+      // What is wrong is told when the case is drawn.
+      if (has_colors(test_case)) std::ignore = scene::shading_of(test_case, *assets);
+    }
+  }
+
   // Draws and judges everything.
   RunTiming run(std::span<const Case> cases, std::vector<CaseResult>& results, const Progress& progress) {
     const uint32_t jobs = std::max(options.jobs, 1U);
@@ -188,6 +199,7 @@ struct SuiteRunner::State {
     return timed([&](RunTiming& timing) {
       open_second_device(cases.size());
       {
+        const Workers reader(jobs > 1 ? 1 : 0, [&](uint32_t) { read_images(cases); });
         JobQueue queue(kWaitingBytes);
         const Workers workers(jobs, [&](uint32_t worker) {
           while (std::optional<Job> job = queue.pop()) {

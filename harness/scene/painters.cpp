@@ -22,7 +22,9 @@ struct Device {
   Result<Planes> draw(const Case& built, const programs::CaseShading& shading) {
     std::vector<vulkan::DrawResources> resources;
     for (const programs::DrawShading& one : shading) {
-      resources.push_back({.uniforms = std::as_bytes(std::span(&one.uniforms, 1)), .texture = one.texture});
+      resources.push_back({.uniforms = std::as_bytes(std::span(&one.uniforms, 1)),
+                           .texture = one.texture,
+                           .variant = programs::shaded_variant(one.uniforms)});
     }
     const std::lock_guard lock(mutex);
     Result<Planes> planes = reference.draw(built, resources);

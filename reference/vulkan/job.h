@@ -56,7 +56,9 @@ struct CaseJob {
   uint64_t upload_offset = 0;  // bytes
   std::vector<UploadedDraw> draws;
   std::vector<Pass> passes;
-  std::vector<VkDescriptorSet> resource_sets;  // one for each draw of the case; empty if the program reads none
+  // Of the program's resources, one for each draw of the case; empty if it has none.
+  std::vector<VkDescriptorSet> resource_sets;
+  std::vector<uint32_t> variants;
 };
 
 // Vertex and index data begin at multiples of a vec4. What is read back begins at multiples of the largest alignment

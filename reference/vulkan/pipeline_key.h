@@ -28,6 +28,7 @@ struct PipelineKey {
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   uint32_t sample_mask = 1;     // the bits of the samples that there are
   bool sample_shading = false;  // the fragment stage runs for each sample
+  uint32_t variant = 0;         // of the program (DrawResources)
   // NOLINTNEXTLINE(modernize-use-nullptr,readability-implicit-bool-conversion): false alarms at the comparisons
   auto operator<=>(const PipelineKey&) const = default;
 

@@ -96,8 +96,10 @@ Result<Planes> Reference::draw(const Case& drawn, std::span<const DrawResources>
   if (!needs) return tl::unexpected(needs.error());
   Result<std::vector<VkDescriptorSet>> sets = state_->resources->bind(resources);
   if (!sets) return tl::unexpected(sets.error());
+  CaseJob job{.drawn = &drawn, .needs = std::move(*needs), .resource_sets = std::move(*sets)};
+  for (const DrawResources& one : resources) job.variants.push_back(one.variant);
   std::vector<CaseJob> jobs;
-  jobs.push_back({.drawn = &drawn, .needs = std::move(*needs), .resource_sets = std::move(*sets)});
+  jobs.push_back(std::move(job));
   std::vector<Result<Planes>> results(1);
   submitter.draw(std::move(jobs), results);
   return std::move(results.front());

@@ -58,6 +58,7 @@ Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver
 //   POINTS              1 if points are drawn, so that the vertex stage must write gl_PointSize
 //   NUM_CLIP_DISTANCES, NUM_CULL_DISTANCES
 //   PRIMITIVE_ID        1 if the fragment stage may read gl_PrimitiveID
+//   VARIANT             of the draw's resources; 0 without
 //
 // Vertex inputs: the position at location 0, the slots from location 1, the point size (float) behind them, then clip
 // and cull distances (float each). Fragment outputs: a hit (float) at location 0, the primitive's number + 1 with the
@@ -76,6 +77,8 @@ struct Program {
 struct DrawResources {
   std::span<const std::byte> uniforms;
   std::shared_ptr<const Texture> texture;  // null: one white texel
+  // Which parts of the program the draw needs, in a way of the program's own. What is left out need not be compiled.
+  uint32_t variant = 0;
 };
 
 // Where the primitive's number comes from.

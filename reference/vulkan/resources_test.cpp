@@ -9,9 +9,10 @@ namespace fillrule::vulkan {
 namespace {
 
 using ::testing::Each;
+using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-// The texel at the varying, times a factor.
+// The texel at the varying, times a factor, and 1 more with each variant.
 Program factor_program() {
   Program program = varyings_program();
   program.uniform_bytes = 16;
@@ -22,7 +23,8 @@ layout(location = 0) out float hits;
 layout(location = 1) out uint owner;
 #define DECLARE(i, qualifiers) \
   layout(location = i) qualifiers in vec4 in_##i; layout(location = 2 + i) out vec4 out_##i;
-#define SAMPLE(i, qualifiers) out_##i = factor * textureLod(image, in_##i.xy, in_##i.z);
+#define SAMPLE(i, qualifiers) \
+  out_##i = factor * textureLod(image, in_##i.xy, in_##i.z) + float(VARIANT);
 INTERPOLATED(DECLARE)
 void main() {
   hits = 1.0;
@@ -91,6 +93,18 @@ TEST(Resources, HaveAllLevels) {
       constant_case({{0.25F, 0.5F, 1, 0}}), std::array{resources_with(kOnce, two_texels(Mipmaps::kNearest))});
   ASSERT_TRUE(planes) << to_string(planes.error());
   EXPECT_THAT(planes->varyings[0], Each(9.0F));
+}
+
+TEST(Resources, ChooseTheProgramsVariantForEachDraw) {
+  // To the left of the second draw the first one stays.
+  Case one = constant_case({{0.25F, 0.5F, 0, 0}, {0.25F, 0.5F, 0, 0}});
+  one.draws[1].positions = {at(4, 2, 0), at(4, 10, 0), at(4, 2, 8)};
+  std::array resources{resources_with(kOnce), resources_with(kOnce)};
+  resources[1].variant = 3;
+  const Result<Planes> planes = factor_reference().draw(one, resources);
+  ASSERT_TRUE(planes) << to_string(planes.error());
+  EXPECT_THAT(std::span(planes->varyings[0]).first(4), ElementsAre(1.0F, 1.0F, 4.0F, 4.0F));
+  expect_no_messages(factor_reference());
 }
 
 TEST(Resources, ChangeBetweenDrawings) {

@@ -84,8 +84,10 @@ Result<void> Submitter::prepare(CaseJob& job) {
     Result<TargetSet> target = targets_.acquire(key);
     if (!target) return tl::unexpected(target.error());
     job.passes.push_back({.slots = slots, .target = std::move(*target)});
-    for (const Draw& draw : job.drawn->draws) {
-      const Result<VkPipeline> pipeline = pipelines_->find_or_create(pipeline_key(*job.drawn, draw, slots.counts));
+    for (size_t i = 0; i < job.drawn->draws.size(); ++i) {
+      PipelineKey pipeline_of_draw = pipeline_key(*job.drawn, job.drawn->draws[i], slots.counts);
+      if (!job.variants.empty()) pipeline_of_draw.variant = job.variants[i];
+      const Result<VkPipeline> pipeline = pipelines_->find_or_create(pipeline_of_draw);
       if (!pipeline) return tl::unexpected(pipeline.error());
       job.passes.back().pipelines.push_back(*pipeline);
     }
