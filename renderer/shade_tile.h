@@ -74,11 +74,12 @@ class ShadingQueue {
         tile_pixels_(tile_pixels),
         attachments_(attachments) {}
 
-  [[gnu::always_inline]] void add(const SetupPrimitive& primitive,
-                                  const std::vector<FixedPosition>& polygon_vertices) {
+  // Whether the queue is full then, and must be shaded before the next primitive.
+  [[nodiscard, gnu::always_inline]] bool add(const SetupPrimitive& primitive,
+                                             const std::vector<FixedPosition>& polygon_vertices) {
     const PixelRect rect = intersection(primitive.bounds(), tile_pixels_);
     if (rect.empty()) {
-      return;
+      return false;
     }
     const std::span<const FixedPosition> outline = primitive.outline(polygon_vertices);
     Entry& entry = entries_[count_];
@@ -88,9 +89,7 @@ class ShadingQueue {
     entry.first_run = runs_.count;
     cover_outline(primitive, outline, rect);
     count_ += coverage_.count != entry.first_block || runs_.count != entry.first_run ? 1 : 0;
-    if (count_ == kMaxEntries || coverage_.count > kMaxBlocks || !runs_.has_room()) {
-      shade();
-    }
+    return count_ == kMaxEntries || coverage_.count > kMaxBlocks || !runs_.has_room();
   }
 
   // Whatever waits: first the planes of all of them, whose long chains of operations then overlap.
@@ -252,9 +251,12 @@ template <typename L, typename Coverage, Program P>
   ShadingQueue<L, Coverage, P> queue(draw, program, positions_clip, tile_pixels, attachments);
   for (size_t i = 0; i < entries.size(); ++i) {
     prefetch(program, positions_clip, entries, i);
-    queue.add(*entries[i].primitive, *entries[i].polygon_vertices);
+    const bool is_full = queue.add(*entries[i].primitive, *entries[i].polygon_vertices);
+    // In one place, since all of shading is expanded into it.
+    if (is_full || i + 1 == entries.size()) {
+      queue.shade();
+    }
   }
-  queue.shade();
   attachments.store();
 }
 
