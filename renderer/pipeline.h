@@ -100,16 +100,21 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
     }
     workers.parallel_for(grid.count(), cost, [&](size_t tile) {
       const auto index = static_cast<uint32_t>(tile);
-      dispatch(
-          prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
-            if (input.samples == 1) {
-              internal::shade_tile<L, TileCoverage>(*prepared, program, positions_clip, grid.pixels(index), index,
-                                                    batch, first_chunk == 0);
-            } else {
-              internal::shade_tile<L, SampledTileCoverage>(*prepared, program, positions_clip, grid.pixels(index),
-                                                           index, batch, first_chunk == 0);
-            }
-          });
+      const PixelRect pixels = grid.pixels(index);
+      const bool is_first = first_chunk == 0;
+      if (input.samples == 1) {
+        dispatch(
+            prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
+              internal::shade_tile<L, TileCoverage>(*prepared, program, positions_clip, pixels, index, batch,
+                                                    is_first);
+            });
+      } else {
+        dispatch(
+            prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
+              internal::shade_tile<L, SampledTileCoverage>(*prepared, program, positions_clip, pixels, index, batch,
+                                                           is_first);
+            });
+      }
     });
   }
   return {};
