@@ -1,14 +1,13 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cstdio>
 #include <memory>
 #include <thread>
 
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
+#include "harness/cli/terminal.h"
 #include "harness/faults/table.h"
 #include "harness/faults/text.h"
 #include "harness/report/json.h"
@@ -38,15 +37,6 @@ Result<std::vector<faults::FaultEntry>> chosen(const std::vector<std::string>& n
   return entries;
 }
 
-// A line that is written over and over, on a terminal; nothing anywhere else.
-faults::Progress progress_line(uint64_t cases) {
-  if (isatty(STDERR_FILENO) == 0) return {};
-  return [cases](uint64_t done) {
-    fmt::print(stderr, "\r{} of {} cases{}", done, cases, done < cases ? "" : "\n");
-    static_cast<void>(std::fflush(stderr));
-  };
-}
-
 bool written(const std::string& file, const std::string& text) {
   if (file.empty()) return true;
   const Result<void> result = report::write_text(file, text);
@@ -74,7 +64,7 @@ int run_faults(const FaultsOptions& options) {
   const format::Suite suite = load({.root = options.suite_root});
   if (!suite.errors.empty()) return kBadInput;
   const faults::FaultTable table =
-      faults::catch_faults(suite.cases, *entries, options.jobs, progress_line(suite.cases.size()));
+      faults::catch_faults(suite.cases, *entries, options.jobs, progress_count(suite.cases.size(), "cases"));
   fmt::print("{}", faults::to_text(table));
   const bool both_written = written(options.json_file, faults::to_json(table)) &&
                             written(options.markdown_file, faults::to_markdown(table));

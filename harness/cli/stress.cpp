@@ -1,5 +1,4 @@
 #include <fmt/core.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,6 +8,7 @@
 
 #include "harness/cli/command.h"
 #include "harness/cli/options.h"
+#include "harness/cli/terminal.h"
 #include "harness/run/deviations.h"
 #include "harness/stress/stress.h"
 #include "harness/terminal/text.h"
@@ -28,15 +28,6 @@ std::vector<std::string> family_names() {
   std::vector<std::string> names;
   for (const stress::Family family : stress::all_families()) names.emplace_back(stress::name_of(family));
   return names;
-}
-
-// A line that is written over and over, on a terminal; nothing anywhere else.
-stress::Progress progress_line(uint64_t triangles) {
-  if (isatty(STDERR_FILENO) == 0) return {};
-  return [triangles](uint64_t done) {
-    fmt::print(stderr, "\r{} of {} triangles{}", done, triangles, done < triangles ? "" : "\n");
-    static_cast<void>(std::fflush(stderr));
-  };
 }
 
 void print_finding(const stress::Finding& finding, const run::RunOptions& run_options) {
@@ -61,7 +52,8 @@ int stress_against(const StressCommandOptions& options, const run::RunOptions& r
     return kBadInput;
   }
   stress.known = std::move(*known);
-  const stress::StressResult result = stress::run_stress(stress, *runner, progress_line(stress.triangles));
+  const stress::StressResult result =
+      stress::run_stress(stress, *runner, progress_count(stress.triangles, "triangles"));
   for (const stress::Finding& finding : result.findings) print_finding(finding, run_options);
   fmt::print("{}{}", terminal::parties_text(result.run), stress::summary_text(result));
   const stress::FamilyCounts total = result.total();

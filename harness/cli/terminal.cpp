@@ -49,6 +49,14 @@ terminal::Style stdout_style(const terminal::Wishes& wishes) {
       {.is_terminal = is_terminal, .columns = is_terminal ? columns_of(STDOUT_FILENO) : 0, .variable = variable});
 }
 
+std::function<void(uint64_t)> progress_count(uint64_t total, const std::string& of_what) {
+  if (isatty(STDERR_FILENO) == 0) return {};
+  return [total, of_what](uint64_t done) {
+    fmt::print(stderr, "\r{} of {} {}{}", done, total, of_what, done < total ? "" : "\n");
+    static_cast<void>(std::fflush(stderr));
+  };
+}
+
 ProgressLine::ProgressLine(size_t total, bool wanted) : total_(total), shown_(wanted && isatty(STDERR_FILENO) != 0) {}
 
 ProgressLine::~ProgressLine() {
