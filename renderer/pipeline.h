@@ -102,6 +102,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
       const auto index = static_cast<uint32_t>(tile);
       const PixelRect pixels = grid.pixels(index);
       const bool is_first = first_chunk == 0;
+      // A function for each kind of coverage: one for both would take longer to compile than the two.
       if (input.samples == 1) {
         dispatch(
             prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
