@@ -40,7 +40,7 @@ struct BlockShader {
     }
     if constexpr (ColorProgram<P>) {
       if (landed == kFullMask) {
-        write_full_block(block, values.colors);
+        write_full_block<1>(block.x, block.y, values.colors);
         return;
       }
       for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
@@ -147,21 +147,28 @@ struct BlockShader {
     }
   }
 
+  // All of a block's samples. No row is asked whether anything landed on it, so that the compiler computes what rows
+  // share once: it does not take floating-point operations out of what may not be done.
+  template <uint32_t kSamples>
   // NOLINTNEXTLINE(readability-non-const-parameter): it is written to
-  [[gnu::always_inline]] void write_full_block(const CoverageBlock& block, uint32_t* stored) const {
+  [[gnu::always_inline]] void write_full_block(int32_t x, int32_t y, uint32_t* stored) const {
     const PrimitiveColors<L, P> colors(shader);
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
-      const auto x_from_anchor = colors.x_from_anchor(block.x + column);
+      const auto x_from_anchor = colors.x_from_anchor(x + column);
+      uint32_t* of_row = stored + ptrdiff_t{column} * kSamples;
       if constexpr (LanePairs<L>::kExist) {
-        for (int32_t row = 0; row < kBlockSize; row += 2, stored += ptrdiff_t{2} * kTileSize) {
-          const auto pair = colors.packed_pair(x_from_anchor, block.y + row);
-          L::store(LanePairs<L>::first_of(pair), stored);
-          L::store(LanePairs<L>::second_of(pair), stored + kTileSize);
+        for (int32_t row = 0; row < kBlockSize; row += 2) {
+          const auto pair = colors.packed_pair(x_from_anchor, y + row);
+          write_samples<L, kSamples, true>(LanePairs<L>::first_of(pair), ~0U, of_row);
+          of_row += size_t{kTileSize} * kSamples;
+          write_samples<L, kSamples, true>(LanePairs<L>::second_of(pair), ~0U, of_row);
+          of_row += size_t{kTileSize} * kSamples;
         }
-        continue;
-      }
-      for (int32_t row = 0; row < kBlockSize; ++row) {
-        L::store(colors.packed(x_from_anchor, block.y + row), stored + ptrdiff_t{row} * kTileSize + column);
+      } else {
+        for (int32_t row = 0; row < kBlockSize; ++row) {
+          write_samples<L, kSamples, true>(colors.packed(x_from_anchor, y + row), ~0U, of_row);
+          of_row += size_t{kTileSize} * kSamples;
+        }
       }
     }
   }
@@ -176,30 +183,42 @@ struct BlockShader {
     }
     SampleRows landed = sample_rows(block, shader.draw.input.state.sample_mask);
     if (shader.draw.depth.is_usual()) {
-      if (!test_samples<kSamples, true>(block, values.depths, landed)) {
+      const bool any = is_full(landed) ? test_samples<kSamples, true, true>(block, values.depths, landed)
+                                       : test_samples<kSamples, true, false>(block, values.depths, landed);
+      if (!any) {
         limit = greatest_depth<kSamples>(values.depths);
         return;
       }
     } else if (shader.draw.depth.tests()) {
-      test_samples<kSamples, false>(block, values.depths, landed);
+      test_samples<kSamples, false, false>(block, values.depths, landed);
     }
+    if (is_full(landed)) {
+      write_full_block<kSamples>(block.x, block.y, values.colors);
+    } else {
+      write_landed<kSamples>(block.x, block.y, landed, values.colors);
+    }
+  }
+
+  template <uint32_t kSamples>
+  // NOLINTNEXTLINE(readability-non-const-parameter): it is written to
+  [[gnu::always_inline]] void write_landed(int32_t x, int32_t y, const SampleRows& landed, uint32_t* stored) const {
     const PrimitiveColors<L, P> colors(shader);
     for (uint32_t column = 0; column < kBlockSize; column += L::kWidth) {
-      const auto x_from_anchor = colors.x_from_anchor(block.x + static_cast<int32_t>(column));
+      const auto x_from_anchor = colors.x_from_anchor(x + static_cast<int32_t>(column));
       const auto write_row = [&](const typename L::Int& packed, size_t row) __attribute__((always_inline)) {
         constexpr uint32_t kAllSamples = ~0U >> (32 - L::kWidth * kSamples);
         const uint32_t bits = landed[row] >> (column * kSamples) & kAllSamples;
-        uint32_t* const stored = values.colors + (row * kTileSize + column) * kSamples;
+        uint32_t* const of_row = stored + (row * kTileSize + column) * kSamples;
         if (bits == kAllSamples) {
-          write_samples<L, kSamples, true>(packed, bits, stored);
+          write_samples<L, kSamples, true>(packed, bits, of_row);
         } else if (bits != 0) {
-          write_samples<L, kSamples, false>(packed, bits, stored);
+          write_samples<L, kSamples, false>(packed, bits, of_row);
         }
       };
       if constexpr (LanePairs<L>::kExist) {
         for (size_t row = 0; row < kBlockSize; row += 2) {
           if ((landed[row] | landed[row + 1]) != 0) {
-            const auto pair = colors.packed_pair(x_from_anchor, block.y + static_cast<int32_t>(row));
+            const auto pair = colors.packed_pair(x_from_anchor, y + static_cast<int32_t>(row));
             write_row(LanePairs<L>::first_of(pair), row);
             write_row(LanePairs<L>::second_of(pair), row + 1);
           }
@@ -207,7 +226,7 @@ struct BlockShader {
       } else {
         for (size_t row = 0; row < kBlockSize; ++row) {
           if (landed[row] != 0) {
-            write_row(colors.packed(x_from_anchor, block.y + static_cast<int32_t>(row)), row);
+            write_row(colors.packed(x_from_anchor, y + static_cast<int32_t>(row)), row);
           }
         }
       }
@@ -215,7 +234,7 @@ struct BlockShader {
   }
 
   // Leaves those of a block's samples that pass the depth test, which is done; whether there are any.
-  template <uint32_t kSamples, bool kIsUsual>
+  template <uint32_t kSamples, bool kIsUsual, bool kIsFull>
   [[gnu::always_inline]] bool test_samples(const SampledBlock& block, float* depths, SampleRows& samples) const {
     constexpr uint32_t kVectors = kBlockSize * kSamples / L::kWidth;
     const WindowPlane depth = shader.primitive.interpolation.depth_framebuffer;
@@ -229,7 +248,7 @@ struct BlockShader {
     const DepthStage& stage = shader.draw.depth;
     uint32_t any = 0;
     for (uint32_t row = 0; row < kBlockSize; ++row) {
-      if (samples[row] == 0) {
+      if (!kIsFull && samples[row] == 0) {
         continue;
       }
       const auto ys =
@@ -237,7 +256,7 @@ struct BlockShader {
           offsets_y;
       const auto depth_row = L::all(depth.step_y) * ys;
       float* const row_depths = depths + size_t{row} * kTileSize * kSamples;
-      samples[row] = samples[row] == ~0U
+      samples[row] = kIsFull || samples[row] == ~0U
                          ? test_row<L, kIsUsual, true>(stage, columns, depth_row, row_depths, ~0U)
                          : test_row<L, kIsUsual, false>(stage, columns, depth_row, row_depths, samples[row]);
       any |= samples[row];

@@ -11,6 +11,15 @@ namespace fillrule::renderer::internal {
 // Of row y of a block bit 4 * x + s: sample s of the pixel x.
 using SampleRows = std::array<uint32_t, kBlockSize>;
 
+// All samples of all pixels.
+[[gnu::always_inline]] inline bool is_full(const SampleRows& rows) {
+  uint32_t all = ~0U;
+  for (const uint32_t row : rows) {
+    all &= row;
+  }
+  return all == ~0U;
+}
+
 // Bit i of a byte as bit 4 * i.
 constexpr std::array<uint32_t, 256> spread_bytes() {
   std::array<uint32_t, 256> spread{};

@@ -30,15 +30,13 @@ TEST(PictureDifference, TellsCoverageFromColor) {
 std::vector<Scene> small_scenes() {
   std::vector<Scene> scenes{fill_scene(3, 100), random_triangles_scene(200, 60, 100), grid_scene(2'000, 100),
                             lines_scene(100, 20, 100), clip_scene(50, 100)};
-  Scene sampled = random_triangles_scene(200, 60, 100);
-  sampled.samples = 4;
-  Scene flat = random_triangles_scene(200, 60, 100);
-  flat.is_flat = true;
-  scenes.push_back(sampled);
-  Scene tiny_sampled = grid_scene(2'000, 100);
-  tiny_sampled.samples = 4;
-  scenes.push_back(tiny_sampled);
-  scenes.push_back(flat);
+  for (const Scene& scene :
+       {fill_scene(3, 100), random_triangles_scene(200, 60, 100), grid_scene(2'000, 100), clip_scene(50, 100)}) {
+    scenes.push_back(scene);
+    scenes.back().samples = 4;
+  }
+  scenes.push_back(random_triangles_scene(200, 60, 100));
+  scenes.back().is_flat = true;
   return scenes;
 }
 
