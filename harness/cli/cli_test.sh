@@ -62,6 +62,16 @@ expect 2 '1 file, 3 findings' "$fillrule" check 'topic/a_case[shift=1]' --suite 
 expect 0 '2 files, 0 findings' "$fillrule" check coverage/shared_diagonal coverage/last_pixel
 expect 0 'gl_PointCoord' "$fillrule" features
 expect 0 'Exit codes' "$fillrule" run --help
+# An image of a scene that is missing, and one that is none: nobody is to blame, and the other cases go on.
+mkdir scenes
+scene() { printf '%s\n[scene]\n[[scene.object]]\nmesh = "cube"\nmaterial = { texture = "%s" }\n' "$head" "$1"; }
+scene grid.png >scenes/good.toml
+scene none.png >scenes/missing.toml
+scene torn.png >scenes/torn.toml
+echo 'no image' >scenes/torn.png
+expect 2 'scenes/missing.toml:9:24: there is no image "none.png"' "$fillrule" run scenes
+expect 2 'scenes/torn.png: cannot be read as an image' "$fillrule" run scenes
+expect 2 '2 cases: 1 passed, 0 failed, 1 skipped' "$fillrule" run scenes --reference none
 cp own/good.toml bare.toml
 expect 0 'PASSED  bare' "$fillrule" run bare.toml -v
 expect 0 'bare.png' "$fillrule" show bare.toml --report "$work/shown"

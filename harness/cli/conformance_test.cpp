@@ -31,10 +31,10 @@ class ConformanceTest : public testing::Test {
     ASSERT_TRUE(drawing) << to_string(drawing.error());
     EXPECT_EQ(drawing->verdict.candidate_faults(), 0U) << fillrule::terminal::case_text(
         {.name = case_.name, .status = fillrule::run::Status::kFailed, .verdict = drawing->verdict}, {});
-    if (drawing->scene_colors) {
-      EXPECT_EQ(drawing->scene_colors->outcome, fillrule::judge::CheckResult::Outcome::kPassed)
-          << drawing->scene_colors->message;
-      EXPECT_EQ(drawing->scene_colors->message, "") << "a fault of the reference";
+    if (const auto& colors = drawing->scene_colors) {
+      ASSERT_TRUE(*colors) << to_string(colors->error());
+      EXPECT_EQ((*colors)->outcome, fillrule::judge::CheckResult::Outcome::kPassed) << (*colors)->message;
+      EXPECT_EQ((*colors)->message, "") << "a fault of the reference";
     }
     const auto again = runner->draw(case_);
     ASSERT_TRUE(again) << to_string(again.error());

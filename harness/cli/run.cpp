@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <set>
+#include <string>
 #include <thread>
 
 #include "harness/cli/command.h"
@@ -119,6 +121,15 @@ run::RunResult draw_and_judge(const RunCommandOptions& options, const run::RunOp
   return result;
 }
 
+// What was found wrong with the files of cases as they were drawn, each thing once; whether there is any.
+bool tell_bad_input(const std::vector<run::CaseResult>& cases) {
+  std::set<std::string> told;
+  for (const run::CaseResult& one : cases) {
+    if (one.bad_input && told.insert(to_string(*one.bad_input)).second) print_error(*one.bad_input);
+  }
+  return !told.empty();
+}
+
 int run_against(const RunCommandOptions& options, const run::RunOptions& run_options, const std::vector<Case>& cases,
                 const run::Shard& shard) {
   if (!can_write_output(options.output)) return kBadInput;
@@ -140,7 +151,7 @@ int run_against(const RunCommandOptions& options, const run::RunOptions& run_opt
     fmt::print("{}", terminal::timing_text(result.timing, result.summary.cases, writing.seconds()));
   }
   for (const std::string& message : runner->validation_messages()) fmt::print(stderr, "validation: {}\n", message);
-  if (!written || !known) return kBadInput;
+  if (tell_bad_input(result.cases) || !written || !known) return kBadInput;
   return has_failed(result, deviations, options.strict_reference) ? kMismatch : kConforms;
 }
 

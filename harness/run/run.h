@@ -2,9 +2,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "cases/model/result.h"
 #include "harness/judge/metamorphic.h"
 #include "harness/judge/verdict.h"
 #include "harness/run/timing.h"
@@ -14,8 +16,8 @@ namespace fillrule::run {
 enum class Status : uint8_t {
   kPassed,
   kFailed,  // the candidate is at fault, or fails a check, or could not draw; or the reference broke down
-  // A party cannot draw or judge the case; `message` tells why. Where it is the reference, the candidate was held
-  // against the oracle alone, and found without fault.
+  // A party cannot draw or judge the case, or its files are no good; `message` tells why. Where it is the reference,
+  // the candidate was held against the oracle alone, and found without fault.
   kSkipped,
 };
 
@@ -24,7 +26,11 @@ struct CaseResult {
   std::string file;
   Status status = Status::kPassed;
   std::string message;  // why a case was skipped, or failed without a verdict
-  std::string reason;   // one plain sentence about the worst sample; empty where there is none, or nobody asked
+  // What is wrong with its files, found out as it was drawn. Neither party is to blame: the case is skipped, but
+  // failed if the candidate is at fault all the same.
+  std::optional<Error> bad_input;
+  // One plain sentence about the worst sample; empty where there is none, or nobody asked.
+  std::string reason;
   // Commands that show the case again, and explain its worst sample, with the same parties; empty where there are
   // none.
   std::string show_command;

@@ -50,8 +50,9 @@ struct SuiteRunner::State {
     return drawn;
   }
 
-  [[nodiscard]] std::optional<judge::CheckResult> check_colors(const Case& test_case, const scene::KnownCase& known,
-                                                               const ReferenceDrawing& drawn) const {
+  [[nodiscard]] std::optional<Result<judge::CheckResult>> check_colors(const Case& test_case,
+                                                                       const scene::KnownCase& known,
+                                                                       const ReferenceDrawing& drawn) const {
     if (!has_colors(test_case)) return std::nullopt;
     const scene::PaintingParty candidate_party{candidate.paint, candidate.subpixel_bits};
     if (!drawn.colors) return scene::check_scene(test_case, *assets, candidate_party, nullptr, known);
@@ -81,6 +82,18 @@ struct SuiteRunner::State {
   static scene::KnownCase known_of(const judge::Oracle& oracle, const Planes& candidate,
                                    const judge::CaseVerdict& verdict) {
     return {.oracle = &oracle, .faultless = verdict.candidate_faults() == 0 ? &candidate : nullptr};
+  }
+
+  static void add_colors(Result<judge::CheckResult> colors, CaseResult& result) {
+    if (colors) {
+      result.checks.push_back(std::move(*colors));
+      return;
+    }
+    result.status = Status::kSkipped;
+    result.bad_input = colors.error();
+    Error in_one_line = colors.error();
+    in_one_line.hint.clear();
+    result.message = to_string(in_one_line);
   }
 
   // Whether the candidate can draw the case and the oracle judge it.
@@ -118,9 +131,9 @@ struct SuiteRunner::State {
           *planes);
       timing.check_seconds += stopwatch.lap();
     }
-    if (std::optional<judge::CheckResult> colors =
+    if (std::optional<Result<judge::CheckResult>> colors =
             check_colors(test_case, known_of(oracle, *planes, result.verdict), drawn)) {
-      result.checks.push_back(std::move(*colors));
+      add_colors(std::move(*colors), result);
       timing.check_seconds += stopwatch.lap();
     }
     result.seconds = whole.seconds();

@@ -39,7 +39,8 @@ struct Drawing {
   Planes candidate;
   std::optional<Planes> reference;
   judge::CaseVerdict verdict;
-  std::optional<judge::CheckResult> scene_colors;  // of a scene, if the candidate can draw it in colour
+  // Of a scene, if the candidate can draw it in colour. Errors as those of scene::check_scene().
+  std::optional<Result<judge::CheckResult>> scene_colors;
 };
 
 // Told each time that a case is done, by whichever thread has done it.

@@ -107,4 +107,9 @@ Result<std::shared_ptr<const Texture>> Assets::texture(const std::string& case_f
   return textures_.emplace(key, read).first->second;
 }
 
+Result<void> Assets::find_texture(const std::string& case_file, const ScenePath& name) {
+  if (const Result<std::string> path = texture_path(case_file, name); !path) return tl::unexpected(path.error());
+  return {};
+}
+
 }  // namespace fillrule::scene

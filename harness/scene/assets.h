@@ -24,6 +24,9 @@ class Assets {
   Result<std::shared_ptr<const Texture>> texture(const std::string& case_file, const ScenePath& name,
                                                  const Sampling2D& sampling);
 
+  // Whether there is such a file at all, without reading it.
+  static Result<void> find_texture(const std::string& case_file, const ScenePath& name);
+
  private:
   template <typename T>
   using Cache = std::map<std::string, Result<std::shared_ptr<const T>>>;

@@ -37,6 +37,11 @@ Result<std::vector<Part>> parts_of(const Case& scene_case, Assets& assets) {
   for (const SceneObject& object : scene.objects) {
     const Result<MeshPointer> mesh = assets.mesh(scene_case.file, object);
     if (!mesh) return tl::unexpected(mesh.error());
+    if (object.material.texture) {
+      // Read only by those who draw it.
+      const Result<void> found = Assets::find_texture(scene_case.file, *object.material.texture);
+      if (!found) return tl::unexpected(found.error());
+    }
     const glm::dmat4 model = transform_matrix(object.transform);
     parts.push_back({.mesh = *mesh, .model = model, .to_clip = to_clip * model, .normal = normal_matrix(model)});
   }

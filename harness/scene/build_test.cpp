@@ -89,11 +89,8 @@ TEST(BuildScene, KeepsSharedVerticesEqual) {
 TEST(BuildScene, TellsWhatIsMissingAndWhere) {
   Assets assets;
   const auto error_of = [&](const std::string& text) {
-    const Case parsed = parsed_scene(text);
-    Result<Case> built = build(parsed, assets);
-    if (!built) return to_string(built.error());
-    const auto shading = shading_of(*built, assets);
-    return shading ? std::string("no error") : to_string(shading.error());
+    const Result<Case> built = build(parsed_scene(text), assets);
+    return built ? std::string("no error") : to_string(built.error());
   };
   EXPECT_THAT(
       error_of("[[scene.object]]\nmesh = 'cubw'\n"),

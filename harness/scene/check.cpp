@@ -27,6 +27,9 @@ bool transforms(const Case& built) {
 struct Subject {
   Case drawn;
   programs::CaseShading shading;
+  // What everything is judged with, where the vertex stages transform.
+  TransformError error;
+  uint32_t bits_less = 0;  // subpixel bits
 };
 
 Result<Subject> subject_of(const Case& built, Assets& assets) {
@@ -37,6 +40,17 @@ Result<Subject> subject_of(const Case& built, Assets& assets) {
   Result<Case> object = object_case(built, assets);
   if (!object) return tl::unexpected(object.error());
   return Subject{.drawn = std::move(*object), .shading = std::move(*shading)};
+}
+
+// The same with the latitude to judge it with.
+Result<Subject> judged_subject(const Case& built, Assets& assets, uint32_t subpixel_bits) {
+  Result<Subject> subject = subject_of(built, assets);
+  if (!subject || !transforms(built)) return subject;
+  const Result<TransformError> error = transform_error(subject->drawn, subject->shading, subpixel_bits);
+  if (!error) return tl::unexpected(error.error());
+  subject->error = *error;
+  subject->bits_less = 1;
+  return subject;
 }
 
 // Everything but the colours.
@@ -65,62 +79,42 @@ std::string outside_in_words(const PartyColors& colors) {
                      colors.judged, colors.first);
 }
 
-}  // namespace
-
-Result<Planes> paint_scene(const Case& built, Assets& assets, const Painter& paint) {
-  const Result<Subject> subject = subject_of(built, assets);
-  if (!subject) return tl::unexpected(subject.error());
-  return paint(subject->drawn, subject->shading);
-}
-
-Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                                 const PaintingParty* reference, const KnownCase& known) {
-  const Result<Subject> subject = subject_of(built, assets);
-  if (!subject) return tl::unexpected(subject.error());
-  TransformError error;
-  uint32_t bits_less = 0;  // that everything is judged with
-  if (transforms(built)) {
-    const Result<TransformError> bound = transform_error(subject->drawn, subject->shading, candidate.subpixel_bits);
-    if (!bound) return tl::unexpected(bound.error());
-    error = *bound;
-    bits_less = 1;
-  }
-  const Result<Planes> candidate_planes = candidate.paint(subject->drawn, subject->shading);
+// Errors: what a party cannot draw.
+Result<SceneVerdict> judge_subject(const Case& built, const Subject& subject, const PaintingParty& candidate,
+                                   const PaintingParty* reference, const KnownCase& known) {
+  const Result<Planes> candidate_planes = candidate.paint(subject.drawn, subject.shading);
   if (!candidate_planes) return tl::unexpected(candidate_planes.error());
   std::optional<Result<Planes>> reference_planes;
   std::optional<ColorParty> reference_party;
   if (reference != nullptr) {
-    reference_planes = reference->paint(subject->drawn, subject->shading);
+    reference_planes = reference->paint(subject.drawn, subject.shading);
     if (!*reference_planes) return tl::unexpected(reference_planes->error());
-    reference_party = ColorParty{&**reference_planes, reference->subpixel_bits - bits_less};
+    reference_party = ColorParty{&**reference_planes, reference->subpixel_bits - subject.bits_less};
   }
-  const ColorParty candidate_party{&*candidate_planes, candidate.subpixel_bits - bits_less};
+  const ColorParty candidate_party{&*candidate_planes, candidate.subpixel_bits - subject.bits_less};
   const judge::Oracle* oracle = known.oracle;
   std::optional<judge::Oracle> own_oracle;
-  if (oracle == nullptr || bits_less > 0) {
+  if (oracle == nullptr || subject.bits_less > 0) {
     own_oracle.emplace(built, candidate_party.subpixel_bits,
                        reference_party ? std::optional(reference_party->subpixel_bits) : std::nullopt);
     oracle = &*own_oracle;
   }
   const ColorParty* const against = reference_party ? &*reference_party : nullptr;
-  SceneVerdict verdict{.colors = judge_colors(built, subject->shading, *oracle, candidate_party, against, error)};
+  SceneVerdict verdict{.colors =
+                           judge_colors(built, subject.shading, *oracle, candidate_party, against, subject.error)};
   const bool is_known =
-      known.faultless != nullptr && bits_less == 0 && has_same_geometry(*known.faultless, *candidate_planes);
+      known.faultless != nullptr && subject.bits_less == 0 && has_same_geometry(*known.faultless, *candidate_planes);
   if (!is_known) verdict.planes = judge_geometry(built, *oracle, candidate_party, against);
   return verdict;
 }
 
-judge::CheckResult check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                               const PaintingParty* reference, const KnownCase& known) {
-  judge::CheckResult result{.name = "scene_colors"};
-  const Result<SceneVerdict> verdict = judge_scene(built, assets, candidate, reference, known);
+judge::CheckResult check_of(const Result<SceneVerdict>& verdict) {
+  judge::CheckResult result{.name = "scene_colors", .outcome = judge::CheckResult::Outcome::kFailed};
   if (!verdict) {
-    result.outcome = judge::CheckResult::Outcome::kFailed;
     result.message = to_string(verdict.error());
     return result;
   }
   const ColorVerdict& colors = verdict->colors;
-  result.outcome = judge::CheckResult::Outcome::kFailed;
   if (colors.candidate.outside > 0) {
     result.message = outside_in_words(colors.candidate);
   } else if (verdict->planes.candidate_faults() > 0) {
@@ -135,6 +129,28 @@ judge::CheckResult check_scene(const Case& built, Assets& assets, const Painting
     if (colors.reference.outside > 0) result.message = "reference fault: " + outside_in_words(colors.reference);
   }
   return result;
+}
+
+}  // namespace
+
+Result<Planes> paint_scene(const Case& built, Assets& assets, const Painter& paint) {
+  const Result<Subject> subject = subject_of(built, assets);
+  if (!subject) return tl::unexpected(subject.error());
+  return paint(subject->drawn, subject->shading);
+}
+
+Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
+                                 const PaintingParty* reference, const KnownCase& known) {
+  const Result<Subject> subject = judged_subject(built, assets, candidate.subpixel_bits);
+  if (!subject) return tl::unexpected(subject.error());
+  return judge_subject(built, *subject, candidate, reference, known);
+}
+
+Result<judge::CheckResult> check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
+                                       const PaintingParty* reference, const KnownCase& known) {
+  const Result<Subject> subject = judged_subject(built, assets, candidate.subpixel_bits);
+  if (!subject) return tl::unexpected(subject.error());
+  return check_of(judge_subject(built, *subject, candidate, reference, known));
 }
 
 }  // namespace fillrule::scene

@@ -35,8 +35,9 @@ Result<Planes> paint_scene(const Case& built, Assets& assets, const Painter& pai
 Result<SceneVerdict> judge_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
                                  const PaintingParty* reference, const KnownCase& known = {});
 
-// The same as one check of the case, named "scene_colors": failed if the candidate is at fault.
-judge::CheckResult check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
-                               const PaintingParty* reference, const KnownCase& known = {});
+// The same as one check of the case, named "scene_colors": failed if the candidate is at fault or a party cannot draw
+// it. Errors: what neither party is to blame for, an image that cannot be read or a scene that cannot be judged.
+Result<judge::CheckResult> check_scene(const Case& built, Assets& assets, const PaintingParty& candidate,
+                                       const PaintingParty* reference, const KnownCase& known = {});
 
 }  // namespace fillrule::scene

@@ -51,7 +51,9 @@ PaintingParty altered(void (*alter)(Planes&)) {
 judge::CheckResult check_cube(const PaintingParty& candidate, const PaintingParty* reference = nullptr) {
   Assets assets;
   const std::vector<Case> scenes = suite_scenes("scenes/textured_cube", assets);
-  return check_scene(scenes.at(0), assets, candidate, reference);
+  const Result<judge::CheckResult> result = check_scene(scenes.at(0), assets, candidate, reference);
+  EXPECT_TRUE(result) << to_string(result.error());
+  return result.value_or(judge::CheckResult{});
 }
 
 TEST(SceneCheck, PassesTheRenderer) {
@@ -127,9 +129,10 @@ TEST(SceneCheck, DoesNotHoldACandidateToAReferenceOfOtherSubpixelBits) {
   Assets assets;
   const Case built = suite_scenes("scenes/mipmaps[mipmaps=none,filter=bilinear]", assets).at(0);
   const PaintingParty coarse{drawn_further_down, 4};
-  const judge::CheckResult result = check_scene(built, assets, renderer_party(), &coarse);
-  EXPECT_EQ(result.outcome, judge::CheckResult::Outcome::kPassed) << result.message;
-  EXPECT_EQ(result.message, "") << "nor is the reference at fault";
+  const Result<judge::CheckResult> result = check_scene(built, assets, renderer_party(), &coarse);
+  ASSERT_TRUE(result) << to_string(result.error());
+  EXPECT_EQ(result->outcome, judge::CheckResult::Outcome::kPassed) << result->message;
+  EXPECT_EQ(result->message, "") << "nor is the reference at fault";
   // Who claims 8 bits may not draw so.
   const PaintingParty fine{drawn_further_down, 8};
   const Result<SceneVerdict> claimed = judge_scene(built, assets, renderer_party(), &fine);
@@ -146,6 +149,7 @@ TEST(SceneCheck, RefusesToJudgeWhatItHasNoBoundFor) {
   const Result<SceneVerdict> verdict = judge_scene(built, assets, renderer_party(), nullptr);
   ASSERT_FALSE(verdict);
   EXPECT_THAT(verdict.error().what, HasSubstr("where the vertex stage transforms"));
+  EXPECT_FALSE(check_scene(built, assets, renderer_party(), nullptr)) << "nobody has failed";
 }
 
 }  // namespace

@@ -126,7 +126,9 @@ Result<Judged> judge_view(run::SuiteRunner& runner, const Drawable& drawable) {
     judged.reference_faults += by_reference ? 1 : 0;
   }
   judged.mismatches = mismatches_of(drawing->verdict);
-  if (drawing->scene_colors) judged.colors = drawing->scene_colors->message;
+  if (const auto& colors = drawing->scene_colors) {
+    judged.colors = *colors ? (*colors)->message : to_string(colors->error());
+  }
   return judged;
 }
 
