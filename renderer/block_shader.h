@@ -25,14 +25,13 @@ struct BlockShader {
     const TileAttachments::Values values = attachments.block(block.x, block.y);
     uint64_t landed = block.mask;
     if (shader.draw.depth.is_usual()) {
-      float& limit = attachments.depth_limit(block.x, block.y);
-      if (is_hidden(block, limit)) {
+      if (is_hidden(block)) {
         return;
       }
       landed = block.mask == kFullMask ? landed_pixels<true, true>(block, values.depths)
                                        : landed_pixels<true, false>(block, values.depths);
       if (landed == 0) {
-        limit = greatest_depth<1>(values.depths);
+        attachments.set_depth_limit(block.x, block.y, greatest_depth<1>(values.depths));
         return;
       }
     } else if (shader.draw.depth.tests()) {
@@ -177,8 +176,7 @@ struct BlockShader {
   template <uint32_t kSamples>
   [[gnu::always_inline]] void shade_sampled_rows(const SampledBlock& block,
                                                  const TileAttachments::Values& values) const {
-    float& limit = attachments.depth_limit(block.x, block.y);
-    if (shader.draw.depth.is_usual() && is_hidden(block, limit)) {
+    if (shader.draw.depth.is_usual() && is_hidden(block)) {
       return;
     }
     SampleRows landed = sample_rows(block, shader.draw.input.state.sample_mask);
@@ -186,7 +184,7 @@ struct BlockShader {
       const bool any = is_full(landed) ? test_samples<kSamples, true, true>(block, values.depths, landed)
                                        : test_samples<kSamples, true, false>(block, values.depths, landed);
       if (!any) {
-        limit = greatest_depth<kSamples>(values.depths);
+        attachments.set_depth_limit(block.x, block.y, greatest_depth<kSamples>(values.depths));
         return;
       }
     } else if (shader.draw.depth.tests()) {
@@ -266,23 +264,11 @@ struct BlockShader {
 
   // Whether the usual test keeps all of a block's fragments from its samples.
   template <typename Block>
-  [[nodiscard, gnu::always_inline]] bool is_hidden(const Block& block, float depth_limit) const {
-    return depth_limit < std::numeric_limits<float>::infinity() &&
-           shader.draw.depth.hides(least_depth(block.x, block.y), depth_limit);
-  }
-
-  // No sample in the block of a plane's primitive has less: rounding keeps the order, so with the operations by which
-  // depths are computed, one of the outermost samples has the least.
-  [[nodiscard, gnu::always_inline]] double least_depth(int32_t x, int32_t y) const {
-    constexpr int32_t kLast = kBlockSize - 1;
-    const PreparedDraw& draw = shader.draw;
-    const PrimitiveInterpolation& planes = shader.primitive.interpolation;
-    const WindowPlane& depth = planes.depth_framebuffer;
-    const double left = static_cast<double>(x - planes.anchor_x) + draw.least_sample_offset.x;
-    const double right = static_cast<double>(x - planes.anchor_x) + draw.greatest_sample_offset.x;
-    const double top = static_cast<double>(y - planes.anchor_y) + draw.least_sample_offset.y;
-    const double bottom = static_cast<double>(y + kLast - planes.anchor_y) + draw.greatest_sample_offset.y;
-    return depth.at(depth.step_x < 0 ? right : left, depth.step_y < 0 ? bottom : top);
+  [[nodiscard, gnu::always_inline]] bool is_hidden(const Block& block) const {
+    const float limit = attachments.depth_limit(block.x, block.y);
+    const PixelRect pixels{block.x, block.y, block.x + kBlockSize, block.y + kBlockSize};
+    return limit < std::numeric_limits<float>::infinity() &&
+           shader.draw.depth.hides(least_depth(shader.draw, shader.primitive.interpolation, pixels), limit);
   }
 
   // Of a block; what is no number is no limit.

@@ -82,6 +82,9 @@ class ShadingQueue {
       return false;
     }
     const std::span<const FixedPosition> outline = primitive.outline(polygon_vertices);
+    if (attachments_.has_depth_limit(rect) && is_hidden(primitive, outline, rect)) {
+      return false;
+    }
     Entry& entry = entries_[count_];
     entry.primitive = &primitive;
     entry.outline = outline;
@@ -132,6 +135,14 @@ class ShadingQueue {
     uint32_t first_block = 0;
     uint32_t first_run = 0;
   };
+
+  // Whether nothing of it can land, so that it need not even be covered. Of what is visible the planes are made
+  // again: there are limits only where much is hidden.
+  [[nodiscard, gnu::noinline]] bool is_hidden(const SetupPrimitive& primitive, std::span<const FixedPosition> outline,
+                                              const PixelRect& rect) const {
+    const PrimitiveInterpolation planes = make_interpolation(draw_, primitive, positions_clip_, outline);
+    return draw_.depth.hides(least_depth(draw_, planes, rect), attachments_.depth_limit(rect));
+  }
 
   void make_interpolations() {
     for (uint32_t i = 0; i < count_; ++i) {

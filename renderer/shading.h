@@ -123,4 +123,17 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupP
                                           std::span<const ClipPosition> positions_clip,
                                           std::span<const FixedPosition> outline);
 
+// No sample of the rectangle's pixels has less: rounding keeps the order, so with the operations by which depths are
+// computed, one of the outermost samples has the least.
+[[nodiscard, gnu::always_inline]] inline double least_depth(const PreparedDraw& draw,
+                                                            const PrimitiveInterpolation& planes,
+                                                            const PixelRect& pixels) {
+  const WindowPlane& depth = planes.depth_framebuffer;
+  const double left = static_cast<double>(pixels.left - planes.anchor_x) + draw.least_sample_offset.x;
+  const double right = static_cast<double>(pixels.right - 1 - planes.anchor_x) + draw.greatest_sample_offset.x;
+  const double top = static_cast<double>(pixels.top - planes.anchor_y) + draw.least_sample_offset.y;
+  const double bottom = static_cast<double>(pixels.bottom - 1 - planes.anchor_y) + draw.greatest_sample_offset.y;
+  return depth.at(depth.step_x < 0 ? right : left, depth.step_y < 0 ? bottom : top);
+}
+
 }  // namespace fillrule::renderer

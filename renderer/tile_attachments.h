@@ -111,8 +111,24 @@ class TileAttachments {
   }
 
   // Of a block under the usual depth test, which lets depths only become less: none of its depths is greater.
-  [[nodiscard, gnu::always_inline]] float& depth_limit(int32_t x, int32_t y) {
+  // Infinite where nobody has looked.
+  [[nodiscard, gnu::always_inline]] float depth_limit(int32_t x, int32_t y) const {
     return depth_limits_[block_number(x, y)];
+  }
+  [[gnu::always_inline]] void set_depth_limit(int32_t x, int32_t y, float limit) {
+    depth_limits_[block_number(x, y)] = limit;
+    limited_ |= uint64_t{1} << block_number(x, y);
+  }
+  // Whether there is one of each block that a rectangle touches, and the greatest of those.
+  [[nodiscard, gnu::always_inline]] bool has_depth_limit(const PixelRect& rect) const {
+    return limited_ != 0 && (blocks_of(rect) & ~limited_) == 0;
+  }
+  [[nodiscard]] float depth_limit(const PixelRect& rect) const {
+    float greatest = -std::numeric_limits<float>::infinity();
+    for (uint64_t rest = blocks_of(rect); rest != 0; rest &= rest - 1) {
+      greatest = std::max(greatest, depth_limits_[static_cast<size_t>(std::countr_zero(rest))]);
+    }
+    return greatest;
   }
 
   // From a block's first pixel, loaded.
@@ -123,15 +139,9 @@ class TileAttachments {
 
   // The blocks that a rectangle touches.
   [[gnu::always_inline]] void load(const PixelRect& rect) {
-    if (loaded_ == ~uint64_t{0}) {
-      return;
+    if (loaded_ != ~uint64_t{0}) {
+      load(blocks_of(rect));
     }
-    const auto first = block_number(rect.left, rect.top);
-    const auto last = block_number(rect.right - 1, rect.bottom - 1);
-    constexpr uint64_t kFirstColumn = 0x0101010101010101U;
-    const uint64_t columns = (2U << last % kBlocksInRow) - (1U << first % kBlocksInRow);
-    const uint64_t rows = (kFirstColumn << (first & ~(kBlocksInRow - 1))) & (~uint64_t{0} >> (63U - last));
-    load(columns * rows);
   }
 
   // What was drawn, to the attachments.
@@ -149,6 +159,16 @@ class TileAttachments {
   [[nodiscard, gnu::always_inline]] uint32_t block_number(int32_t x, int32_t y) const {
     return static_cast<uint32_t>((y - top_) / kBlockSize) * kBlocksInRow +
            static_cast<uint32_t>((x - left_) / kBlockSize);
+  }
+
+  // Those that a rectangle touches, bit by bit.
+  [[nodiscard, gnu::always_inline]] uint64_t blocks_of(const PixelRect& rect) const {
+    const auto first = block_number(rect.left, rect.top);
+    const auto last = block_number(rect.right - 1, rect.bottom - 1);
+    constexpr uint64_t kFirstColumn = 0x0101010101010101U;
+    const uint64_t columns = (2U << last % kBlocksInRow) - (1U << first % kBlocksInRow);
+    const uint64_t rows = (kFirstColumn << (first & ~(kBlocksInRow - 1))) & (~uint64_t{0} >> (63U - last));
+    return columns * rows;
   }
 
   [[gnu::always_inline]] void load(uint64_t blocks) {
@@ -247,7 +267,8 @@ class TileAttachments {
   int32_t top_;
   bool uses_depth_;
   bool clears_;
-  uint64_t loaded_ = 0;  // bit i: block i is here
+  uint64_t loaded_ = 0;   // bit i: block i is here
+  uint64_t limited_ = 0;  // bit i: block i has a limit of its depths
   float* depths_;
   uint32_t* colors_;
   std::array<float, kMaxBlocks> depth_limits_;
