@@ -197,6 +197,7 @@ struct BlockShader {
     }
   }
 
+  // Those of a block's samples.
   template <uint32_t kSamples>
   // NOLINTNEXTLINE(readability-non-const-parameter): it is written to
   [[gnu::always_inline]] void write_landed(int32_t x, int32_t y, const SampleRows& landed, uint32_t* stored) const {

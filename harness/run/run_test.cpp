@@ -2,8 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
+
 #include "cases/format/reader.h"
+#include "cases/model/temporary_folder.h"
 #include "harness/run/suite_runner.h"
+#include "harness/scene/build.h"
 
 namespace fillrule::run {
 namespace {
@@ -118,6 +122,31 @@ TEST(SuiteRunner, TwoDevicesDrawWhatOneDoes) {
     ASSERT_EQ(one.planes.size(), two.planes.size());
     for (size_t p = 0; p < one.planes.size(); ++p) EXPECT_EQ(one.planes[p].counts, two.planes[p].counts);
   }
+}
+
+// It is skipped, but failed by a candidate whose geometry is wrong.
+TEST(SuiteRunner, NobodyIsToBlameForAnImageThatCannotBeRead) {
+  const TemporaryFolder folder;
+  std::ofstream(folder.path("torn.png")) << "no image";
+  std::ofstream(folder.path("a.toml")) << "title = 't'\nwhy = 'w'\nspec = 's'\n[target]\nsize = [16, 16]\n"
+                                       << "[[scene.object]]\nmesh = 'cube'\nmaterial = { texture = 'torn.png' }\n";
+  const format::Suite suite = scene::load_suite(folder.path(), {});
+  ASSERT_EQ(suite.cases.size(), 1U);
+  const auto result_of = [&](Candidate candidate) {
+    auto runner = SuiteRunner::create({.reference = kNoReference}, std::move(candidate));
+    EXPECT_TRUE(runner);
+    return runner->run(suite.cases).cases.at(0);
+  };
+  auto right = make_candidate("renderer", {});
+  auto blank = make_candidate("cheats:blank", {});
+  ASSERT_TRUE(right && blank);
+  blank->paint = right->paint;
+  const CaseResult of_right = result_of(*right);
+  EXPECT_EQ(of_right.status, Status::kSkipped);
+  ASSERT_TRUE(of_right.bad_input);
+  EXPECT_EQ(of_right.bad_input->file, folder.path("torn.png"));
+  EXPECT_NE(of_right.message.find("cannot be read as an image"), std::string::npos);
+  EXPECT_EQ(result_of(*blank).status, Status::kFailed);
 }
 
 TEST(SuiteRunner, WithoutAReferenceTheOracleJudgesAlone) {

@@ -198,7 +198,7 @@ struct SuiteRunner::State {
 
   // Keeps the images that scenes show in `assets`. Done ahead of their turn, beside what is drawn until then: the
   // library that reads them takes half a second to load, in which all threads would come to wait for it.
-  void read_images(std::span<const Case> cases) {
+  void read_images(std::span<const Case> cases) const {
     for (const Case& test_case : cases) {
       // What is wrong is told when the case is drawn.
       if (has_colors(test_case)) std::ignore = scene::shading_of(test_case, *assets);
