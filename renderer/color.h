@@ -9,6 +9,7 @@
 #include <cstring>
 #include <optional>
 #include <span>
+#include <type_traits>
 
 #include "renderer/interpolation.h"
 #include "renderer/lanes.h"
@@ -25,55 +26,71 @@ struct ColorBuffer {
 
 using Vec4 = std::array<float, 4>;
 
-// A vec4 over a primitive: four functions that are linear in the window, of x and y in pixels from an anchor.
-struct VaryingPlanes {
-  Vec4 at_anchor;
-  Vec4 step_x;
-  Vec4 step_y;
-};
-
-// The same of one number.
-struct VaryingPlane {
-  float at_anchor;
-  float step_x;
-  float step_y;
-
-  template <typename L>
-  [[nodiscard, gnu::always_inline]] typename L::Float at(const typename L::Float& x,
-                                                         const typename L::Float& y) const {
-    return L::all(at_anchor) + L::all(step_x) * x + L::all(step_y) * y;
-  }
-};
-
+// A vec4, or one of as many primitives as there are lanes.
 template <typename L>
 using Color = std::array<typename L::Float, 4>;
 
-// What the fragments of a row of pixels, or one fragment, have in common with their program.
+// A vec4 over a primitive, or over as many as there are lanes: four functions that are linear in the window, of x and
+// y in pixels from an anchor.
+template <typename L = ScalarLanes>
+struct VaryingPlanes {
+  Color<L> at_anchor;
+  Color<L> step_x;
+  Color<L> step_y;
+};
+
+// The same of one number.
+template <typename L = ScalarLanes>
+struct VaryingPlane {
+  typename L::Float at_anchor;
+  typename L::Float step_x;
+  typename L::Float step_y;
+};
+
+// What as many fragments as there are lanes have in common with their program: all of them of one primitive, or each
+// of any of as many.
 template <typename L>
 struct FragmentLanes {
   typename L::Float x;  // of the pixels' centres, or of the sample under sample shading: pixels from the anchor
   typename L::Float y;
-  typename L::Float w;  // clip space; smooth varyings are divided by it
+  typename L::Float w;          // clip space; smooth varyings are divided by it
+  typename L::Int primitive{};  // the lane of each one's primitive, where there are several
 
-  // A smooth varying, perspective-correct.
-  [[nodiscard, gnu::always_inline]] Color<L> smooth(const VaryingPlanes& planes) const {
-    return {at<0>(planes) * w, at<1>(planes) * w, at<2>(planes) * w, at<3>(planes) * w};
+  // Varyings of the fragments' primitive (M is ScalarLanes) or primitives (L).
+
+  // A smooth one, perspective-correct.
+  template <typename M>
+  [[nodiscard, gnu::always_inline]] Color<L> smooth(const VaryingPlanes<M>& planes) const {
+    const auto component = [&](size_t i) __attribute__((always_inline)) {
+      return at(VaryingPlane<M>{planes.at_anchor[i], planes.step_x[i], planes.step_y[i]}) * w;
+    };
+    return {component(0), component(1), component(2), component(3)};
   }
-  [[gnu::always_inline]] static Color<L> flat(const Vec4& value) {
-    return {L::all(value[0]), L::all(value[1]), L::all(value[2]), L::all(value[3])};
+  template <typename Value>
+  [[nodiscard, gnu::always_inline]] Color<L> flat(const std::array<Value, 4>& value) const {
+    return {own(value[0]), own(value[1]), own(value[2]), own(value[3])};
+  }
+
+  template <typename M>
+  [[nodiscard, gnu::always_inline]] typename L::Float at(const VaryingPlane<M>& plane) const {
+    return own(plane.at_anchor) + own(plane.step_x) * x + own(plane.step_y) * y;
   }
 
  private:
-  template <size_t kComponent>
-  [[nodiscard, gnu::always_inline]] typename L::Float at(const VaryingPlanes& planes) const {
-    const VaryingPlane plane{planes.at_anchor[kComponent], planes.step_x[kComponent], planes.step_y[kComponent]};
-    return plane.template at<L>(x, y);
+  // Of each fragment's own primitive.
+  template <typename Value>
+  [[nodiscard, gnu::always_inline]] typename L::Float own(const Value& value) const {
+    if constexpr (std::is_same_v<Value, float>) {
+      return L::all(value);
+    } else {
+      return L::chosen(value, primitive);
+    }
   }
 };
 
 // The plane of 1/w, likewise; meaningless where weights have to be constrained.
-inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolation, int32_t anchor_x,
-                                       int32_t anchor_y) {
+inline VaryingPlane<> reciprocal_w_plane(const PrimitiveInterpolation& interpolation, int32_t anchor_x,
+                                         int32_t anchor_y) {
   const auto& [l0, l1, l2] = interpolation.per_w;
   return {.at_anchor = static_cast<float>(interpolation.reciprocal_w_at(anchor_x, anchor_y)),
           .step_x = static_cast<float>(l0.step_x + l1.step_x + l2.step_x),
@@ -83,9 +100,9 @@ inline VaryingPlane reciprocal_w_plane(const PrimitiveInterpolation& interpolati
 // The planes of value / w, for FragmentLanes::smooth(), of a primitive whose vertices have these values. The anchor
 // is a pixel at or near the fragments that they are for; the sums are in double, so that only their result is
 // rounded.
-[[gnu::always_inline]] inline VaryingPlanes smooth_planes(const PrimitiveInterpolation& interpolation,
-                                                          int32_t anchor_x, int32_t anchor_y, const Vec4& value0,
-                                                          const Vec4& value1, const Vec4& value2) {
+[[gnu::always_inline]] inline VaryingPlanes<> smooth_planes(const PrimitiveInterpolation& interpolation,
+                                                            int32_t anchor_x, int32_t anchor_y, const Vec4& value0,
+                                                            const Vec4& value1, const Vec4& value2) {
   using Values = SimdVector<double, sizeof(double) * 4>::Type;  // lane by lane a component
   const auto widened = [](const Vec4& value) __attribute__((always_inline)) {
     SimdVector<float, sizeof(Vec4)>::Type values;

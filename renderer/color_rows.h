@@ -13,15 +13,14 @@ namespace fillrule::renderer::internal {
 
 // The packed colours of a row of fragments, so far from the anchor of the primitive's planes.
 template <typename Lanes, ColorProgram P>
-[[gnu::always_inline]] inline typename Lanes::Int packed_color(const P& program,
-                                                               const typename P::PrimitiveData& data,
-                                                               const VaryingPlane& reciprocal_w,
+[[gnu::always_inline]] inline typename Lanes::Int packed_color(const P& program, const PrimitiveData<P>& data,
+                                                               const VaryingPlane<>& reciprocal_w,
                                                                const typename Lanes::Float& x_from_anchor,
                                                                const typename Lanes::Float& y_from_anchor) {
   FragmentLanes<Lanes> fragments;
   fragments.x = x_from_anchor;
   fragments.y = y_from_anchor;
-  fragments.w = Lanes::all(1.0F) / reciprocal_w.template at<Lanes>(fragments.x, fragments.y);
+  fragments.w = Lanes::all(1.0F) / fragments.at(reciprocal_w);
   return packed_unorm8<Lanes>(program.template color<Lanes>(data, fragments));
 }
 
@@ -105,8 +104,8 @@ class PrimitiveColors {
   }
 
   const P& program_;
-  const typename P::PrimitiveData data_;
-  VaryingPlane reciprocal_w_;
+  const PrimitiveData<P> data_;
+  VaryingPlane<> reciprocal_w_;
   int32_t anchor_x_;
   int32_t anchor_y_;
 };

@@ -40,6 +40,11 @@ struct ScalarLanes {
   static Float to_float(Int value) { return static_cast<float>(value); }
   static Double to_double(Float value) { return value; }
   static Double to_double(Int value) { return value; }
+  // In lane i, the value of the lane that `lanes` has there.
+  template <typename Value>
+  static Value chosen(Value values, Int /*lanes*/) {
+    return values;
+  }
   // Without its fraction.
   static Int truncated(Float value) { return static_cast<Int>(value); }
   static Double magnitude(Double value) { return std::abs(value); }
@@ -49,9 +54,11 @@ struct ScalarLanes {
     return bits;
   }
 
-  // The components of as many four-vectors as there are lanes, which follow each other.
-  static std::array<Float, 4> load_components(const float* vectors) {
-    return {vectors[0], vectors[1], vectors[2], vectors[3]};
+  // The components of as many four-vectors as there are lanes: that of each lane is where `vector_of(lane)` points.
+  template <typename VectorOf>
+  static std::array<Float, 4> load_components(const VectorOf& vector_of) {
+    const float* const vector = vector_of(0U);
+    return {vector[0], vector[1], vector[2], vector[3]};
   }
 
   // The same of as many pairs.

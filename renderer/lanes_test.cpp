@@ -107,6 +107,24 @@ TEST(Lanes, CutOffFractionsAndSigns) {
   }
 }
 
+TEST(Lanes, ChooseFromLanes) {
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          std::array<int32_t, kCount> chosen{};
+          std::array<float, kCount> floats{};
+          const auto last = static_cast<int32_t>(L::kWidth) - 1;
+          L::store(L::chosen(L::numbers() * 10, last - L::numbers()), chosen.data());
+          L::store(L::chosen(L::to_float(L::numbers()), L::numbers() & 1), floats.data());
+          for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
+            EXPECT_EQ(chosen[lane], (last - static_cast<int32_t>(lane)) * 10) << to_string(isa);
+            EXPECT_EQ(floats[lane], static_cast<float>(lane & 1U)) << to_string(isa);
+          }
+        });
+  }
+}
+
 TEST(Lanes, WidenWholeNumbersExactly) {
   constexpr std::array<int32_t, kCount> kValues{0,         -1, 7, 16777217, -16777217, 2147483647, -2147483647 - 1,
                                                 1234567891};
@@ -160,7 +178,8 @@ TEST(Lanes, TakePairsAndFourVectorsApart) {
     dispatch(
         isa, [&]<typename L>() __attribute__((always_inline)) {
           for (uint32_t i = 0; i < kCount; i += L::kWidth) {
-            const auto loaded = L::load_components(vectors.data() + size_t{4} * i);
+            const auto loaded =
+                L::load_components([&](uint32_t lane) { return vectors.data() + size_t{4} * (i + lane); });
             for (size_t component = 0; component < 4; ++component) {
               L::store(loaded[component], components[component].data() + i);
             }

@@ -63,9 +63,9 @@ class ChunkBuilder {
     using Lanes = internal::TriangleLanes<L>;
     Lanes lanes;
     std::array<std::array<uint32_t, 3>, Lanes::kTriangles> indices;
+    draw_.assembly.vertices(first, std::span{indices}.first(count));
     uint64_t whole = 0;
     for (uint32_t i = 0; i < count; ++i) {
-      indices[i] = draw_.assembly.vertices(first + i);
       const auto& [a, b, c] = indices[i];
       lanes.put(i, window_vertices_[a].position, window_vertices_[b].position, window_vertices_[c].position);
       whole |= uint64_t{is_whole(indices[i])} << i;

@@ -33,6 +33,22 @@ PrimitiveAssembly::PrimitiveAssembly(const VertexStream& stream, VkProvokingVert
   }
 }
 
+void PrimitiveAssembly::vertices(uint32_t first, std::span<std::array<uint32_t, 3>> of_primitives) const {
+  const bool is_in_order = topology_ == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST &&
+                           provoking_vertex_ == VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT && runs_.size() == 1;
+  if (!is_in_order || !indices_) {
+    for (auto& of_primitive : of_primitives) {
+      of_primitive = vertices(first++);
+    }
+    return;
+  }
+  const uint32_t* index = indices_->data() + runs_.front().first_element + size_t{3} * first;
+  for (auto& of_primitive : of_primitives) {
+    of_primitive = {index[0] + vertex_offset_, index[1] + vertex_offset_, index[2] + vertex_offset_};
+    index += 3;
+  }
+}
+
 const PrimitiveAssembly::Run& PrimitiveAssembly::run_of(uint32_t primitive) const {
   const auto next = std::upper_bound(runs_.begin(), runs_.end(), primitive,
                                      [](uint32_t number, const Run& run) { return number < run.first_primitive; });

@@ -121,6 +121,9 @@ class PrimitiveAssembly {
     return vertices;
   }
 
+  // The same of as many primitives as there is room for, from `first` on.
+  void vertices(uint32_t first, std::span<std::array<uint32_t, 3>> of_primitives) const;
+
  private:
   struct Run {
     uint32_t first_element = 0;

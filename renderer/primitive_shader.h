@@ -16,8 +16,8 @@ template <Program P>
 struct TilePrimitive {
   PrimitiveInterpolation interpolation;
   ShadedPrimitive shaded;
-  typename P::PrimitiveData data;
-  VaryingPlane reciprocal_w;
+  PrimitiveData<P> data;
+  VaryingPlane<> reciprocal_w;
 };
 
 // The values of as many fragments' depths as there are lanes: of those in `values`. Bit by bit: which pass the depth

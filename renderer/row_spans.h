@@ -255,15 +255,24 @@ template <typename L, uint32_t kSamples>
   list.count = writer.count;
 }
 
-// Adds those of a triangle's covered pixels (SetupPrimitive::covered_pixels()) that are within the rectangle, of one
-// sample each.
+// Of a triangle's covered pixels (SetupPrimitive::covered_pixels()) those that are within the rectangle, as they are.
+[[gnu::always_inline]] inline uint32_t covered_within(const SetupPrimitive& triangle, const PixelRect& rect) {
+  constexpr auto kWidth = static_cast<uint32_t>(SetupPrimitive::kCoveredWidth);
+  const auto before = static_cast<uint32_t>(rect.left - triangle.left);
+  const uint32_t columns = ((1U << static_cast<uint32_t>(rect.width())) - 1) << before;
+  const auto rows_before = static_cast<uint32_t>(rect.top - triangle.top);
+  const auto rows = static_cast<uint32_t>(rect.height());
+  const uint32_t in_rows = ~uint32_t{0} >> (32 - rows * kWidth) << (rows_before * kWidth);
+  return triangle.covered_pixels() & in_rows & columns * 0x01010101U;
+}
+
+// Adds those pixels, of one sample each.
 [[gnu::always_inline]] inline void add_covered(const SetupPrimitive& triangle, const PixelRect& rect, RunList& list) {
   RunWriter writer(rect, list);
-  const uint32_t columns = ((1U << rect.width()) - 1) << (rect.left - triangle.left);
   const auto first_row = static_cast<uint32_t>(rect.top - triangle.top);
-  uint32_t rest = triangle.covered_pixels() >> first_row * SetupPrimitive::kCoveredWidth;
+  uint32_t rest = covered_within(triangle, rect) >> first_row * SetupPrimitive::kCoveredWidth;
   for (int32_t row = 0; row < rect.height(); ++row, rest >>= SetupPrimitive::kCoveredWidth) {
-    writer.add(0, row, (rest & columns & 0xFF) >> (rect.left - triangle.left));
+    writer.add(0, row, (rest & 0xFF) >> (rect.left - triangle.left));
   }
   list.count = writer.count;
 }

@@ -12,12 +12,14 @@
 #include <type_traits>
 #include <vector>
 
+#include "renderer/big_array.h"
 #include "renderer/block_shader.h"
 #include "renderer/edge_fill.h"
 #include "renderer/row_spans.h"
 #include "renderer/run_shader.h"
 #include "renderer/shading.h"
 #include "renderer/tile_attachments.h"
+#include "renderer/tiny_shader.h"
 #include "renderer/triangle_buffer.h"
 
 namespace fillrule::renderer::internal {
@@ -72,7 +74,8 @@ class ShadingQueue {
         program_(program),
         positions_clip_(positions_clip),
         tile_pixels_(tile_pixels),
-        attachments_(attachments) {}
+        attachments_(attachments),
+        has_lane_planes_(L::kWidth > 1 && draw.shape == Shape::kPolygon && !draw.input.state.depth_bias) {}
 
   // Whether the queue is full then, and must be shaded before the next primitive.
   [[nodiscard, gnu::always_inline]] bool add(const SetupPrimitive& primitive,
@@ -90,6 +93,13 @@ class ShadingQueue {
     entry.outline = outline;
     entry.first_block = coverage_.count;
     entry.first_run = runs_.count;
+    entry.covered = 0;
+    if (kHasTiny && has_lane_planes_ && primitive.covered_pixels() != 0) {
+      attachments_.load(rect);
+      entry.covered = covered_within(primitive, rect);
+      count_ += entry.covered != 0 ? 1 : 0;
+      return count_ == kMaxEntries;
+    }
     cover_outline(primitive, outline, rect);
     count_ += coverage_.count != entry.first_block || runs_.count != entry.first_run ? 1 : 0;
     return count_ == kMaxEntries || coverage_.count > kMaxBlocks || !runs_.has_room();
@@ -97,27 +107,21 @@ class ShadingQueue {
 
   // Whatever waits: first the planes of all of them, whose long chains of operations then overlap.
   [[gnu::always_inline]] void shade() {
-    if (L::kWidth > 1 && draw_.shape == Shape::kPolygon && !draw_.input.state.depth_bias) {
-      make_triangle_interpolations();
-    } else {
-      make_interpolations();
-    }
-    for (uint32_t i = 0; i < count_; ++i) {
-      set_up(*entries_[i].primitive, primitives_[i]);
-    }
     entries_[count_].first_block = coverage_.count;
     entries_[count_].first_run = runs_.count;
-    const auto has_runs = [&](uint32_t entry) {
-      return entry < count_ && entries_[entry].first_run != entries_[entry + 1].first_run;
-    };
-    for (uint32_t i = 0; i < count_;) {
-      if (has_runs(i)) {
-        const uint32_t first = i;
-        while (has_runs(++i)) {
+    entries_[count_].covered = 0;
+    for (uint32_t first = 0; first < count_;) {
+      LaneTriangleBuffer<L> triangles;
+      const uint32_t end = has_lane_planes_ ? make_triangle_interpolations(first, triangles) : make_interpolations();
+      for (uint32_t i = first; i < end; ++i) {
+        if (!is_tiny(i)) {
+          set_up(*entries_[i].primitive, primitives_[i]);
         }
-        shade_runs(first, i);
-      } else {
-        shade_blocks(i++);
+      }
+      while (first < end) {
+        first = is_tiny(first)    ? shade_tiny(first, triangles)
+                : has_runs(first) ? shade_runs(first, end)
+                                  : shade_blocks(first);
       }
     }
     count_ = 0;
@@ -134,6 +138,7 @@ class ShadingQueue {
     std::span<const FixedPosition> outline;
     uint32_t first_block = 0;
     uint32_t first_run = 0;
+    uint32_t covered = 0;  // of a tiny triangle the pixels within the tile, as SetupPrimitive::covered_pixels()
   };
 
   // Whether nothing of it can land, so that it need not even be covered. Of what is visible the planes are made
@@ -144,29 +149,35 @@ class ShadingQueue {
     return draw_.depth.hides(least_depth(draw_, planes, rect), attachments_.depth_limit(rect));
   }
 
-  void make_interpolations() {
+  // All of them; returns their end.
+  uint32_t make_interpolations() {
     for (uint32_t i = 0; i < count_; ++i) {
       const Entry& entry = entries_[i];
       primitives_[i].interpolation = make_interpolation(draw_, *entry.primitive, positions_clip_, entry.outline);
     }
+    return count_;
   }
 
-  // The same of triangles without a bias, as many at once as there are lanes.
-  [[gnu::always_inline]] void make_triangle_interpolations() {
-    const auto of_lane = [&](uint32_t first, uint32_t lane) {
-      return std::min(first + lane, count_ - 1);  // beyond the last, the last again
-    };
-    for (uint32_t first = 0; first < count_; first += L::kWidth) {
-      LaneTriangleBuffer<L> buffer;
+  // The same of triangles without a bias from `first` on, as many at once as there are lanes, until there are tiny
+  // ones among them, which stay in their lanes: entry i in lane i % L::kWidth.
+  [[nodiscard, gnu::always_inline]] uint32_t make_triangle_interpolations(uint32_t first,
+                                                                          LaneTriangleBuffer<L>& triangles) {
+    bool has_tiny = false;
+    for (; first < count_ && !has_tiny; first += L::kWidth) {
       for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
-        const Entry& entry = entries_[of_lane(first, lane)];
-        buffer.put(lane, *entry.primitive, entry.outline, positions_clip_);
+        const Entry& entry = entries_[std::min(first + lane, count_ - 1)];  // beyond the last, the last again
+        triangles.put(lane, *entry.primitive, entry.outline, positions_clip_);
       }
-      buffer.compute(draw_);
-      for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
-        buffer.get(lane, primitives_[of_lane(first, lane)].interpolation);
+      triangles.compute(draw_, positions_clip_);
+      for (uint32_t i = first; i < std::min(first + L::kWidth, count_); ++i) {
+        if (is_tiny(i)) {
+          has_tiny = true;
+        } else {
+          triangles.get(i % L::kWidth, primitives_[i].interpolation);
+        }
       }
     }
+    return std::min(first, count_);
   }
 
   [[gnu::always_inline]] void set_up(const SetupPrimitive& setup, TilePrimitive<P>& primitive) const {
@@ -183,6 +194,7 @@ class ShadingQueue {
   static constexpr uint32_t kSamples = std::is_same_v<Coverage, TileCoverage> ? 1 : 4;  // of a run's pixels
   static constexpr bool kHasRuns = L::kWidth > 1;
   static_assert(!kHasRuns || L::kWidth >= kSamples);
+  static constexpr bool kHasTiny = kHasRuns && kSamples == 1 && LaneProgram<P>;
 
   [[gnu::always_inline]] void cover_outline(const SetupPrimitive& primitive, std::span<const FixedPosition> outline,
                                             const PixelRect& rect) {
@@ -209,20 +221,50 @@ class ShadingQueue {
     cover(draw_, outline, rect, coverage_);
   }
 
-  [[gnu::always_inline]] void shade_blocks(uint32_t entry) const {
+  [[nodiscard, gnu::always_inline]] bool has_runs(uint32_t entry) const {
+    return entries_[entry].first_run != entries_[entry + 1].first_run;
+  }
+
+  [[nodiscard, gnu::always_inline]] bool is_tiny(uint32_t entry) const {
+    return kHasTiny && entries_[entry].covered != 0;
+  }
+
+  // Each shades some entries from this one on and returns their end.
+
+  // Tiny triangles that are in the same lanes.
+  [[nodiscard, gnu::always_inline]] uint32_t shade_tiny(uint32_t entry,
+                                                        const LaneTriangleBuffer<L>& triangles) const {
+    if constexpr (kHasTiny) {
+      TinyShader<L, P> shader(draw_, program_, triangles, attachments_.template pixels<1>());
+      do {
+        const SetupPrimitive& primitive = *entries_[entry].primitive;
+        shader.add(entry % L::kWidth, primitive.left, primitive.top, entries_[entry].covered);
+        ++entry;
+      } while (is_tiny(entry) && entry % L::kWidth != 0);
+      shader.shade();
+    }
+    return entry;
+  }
+
+  [[nodiscard, gnu::always_inline]] uint32_t shade_runs(uint32_t first, uint32_t end) {
+    uint32_t entry = first + 1;
+    while (entry < end && has_runs(entry)) {
+      ++entry;
+    }
+    if constexpr (kHasRuns) {
+      RunShader<L, P, kSamples>{draw_, program_, primitives_, attachments_, tile_pixels_.right}.shade(
+          runs_, entries_[first].first_run, entries_[entry].first_run);
+    }
+    return entry;
+  }
+
+  [[nodiscard, gnu::always_inline]] uint32_t shade_blocks(uint32_t entry) const {
     const PrimitiveShader<P> shader{draw_, program_, primitives_[entry]};
     const BlockShader<L, P> block_shader{shader, attachments_};
     for (uint32_t block = entries_[entry].first_block; block < entries_[entry + 1].first_block; ++block) {
       block_shader.shade(coverage_.blocks[block]);
     }
-  }
-
-  // Of the entries [first, end), all of them with runs.
-  [[gnu::always_inline]] void shade_runs(uint32_t first, uint32_t end) {
-    if constexpr (kHasRuns) {
-      RunShader<L, P, kSamples>{draw_, program_, primitives_, attachments_, tile_pixels_.right}.shade(
-          runs_, entries_[first].first_run, entries_[end].first_run);
-    }
+    return entry + 1;
   }
 
   const PreparedDraw& draw_;
@@ -230,6 +272,7 @@ class ShadingQueue {
   std::span<const ClipPosition> positions_clip_;
   PixelRect tile_pixels_;
   TileAttachments& attachments_;
+  bool has_lane_planes_;
   std::array<Entry, kMaxEntries + 1> entries_;  // the last is where those before it end
   std::array<TilePrimitive<P>, kMaxEntries> primitives_;
   uint32_t count_ = 0;
@@ -245,18 +288,23 @@ template <typename L, typename Coverage, Program P>
                                               const PixelRect& tile_pixels, uint32_t tile,
                                               std::span<const PrimitiveChunk> chunks, bool is_first) {
   static thread_local TileAttachments::Storage storage;
-  static thread_local std::vector<TileEntry> entries;
-  entries.clear();
+  static thread_local BigArray<TileEntry> entry_memory;
   // A tile's bins are far apart, one in each chunk, and another thread may have made them.
   for (const PrimitiveChunk& chunk : chunks) {
     chunk.prefetch_bin(tile);
   }
+  size_t count = 0;
+  for (const PrimitiveChunk& chunk : chunks) {
+    count += chunk.entry_count(tile);
+  }
+  const std::span<TileEntry> entries = entry_memory.room_for(count);
+  TileEntry* next = entries.data();
   for (size_t i = 0; i < chunks.size(); ++i) {
     constexpr size_t kAhead = 8;
     if (i + kAhead < chunks.size()) {
       chunks[i + kAhead].prefetch_entries(tile);
     }
-    chunks[i].append_to(entries, tile);
+    next = chunks[i].write_entries(tile, next);
   }
   TileAttachments attachments(draw, tile_pixels, is_first, storage);
   ShadingQueue<L, Coverage, P> queue(draw, program, positions_clip, tile_pixels, attachments);

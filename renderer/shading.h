@@ -8,6 +8,7 @@
 #include <concepts>
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "renderer/color.h"
@@ -20,6 +21,8 @@ namespace fillrule::renderer {
 
 // A primitive about to be shaded.
 struct ShadedPrimitive {
+  using Lanes = ScalarLanes;
+
   uint32_t primitive = 0;  // within the draw; culled, clipped and degenerate ones are counted
   // The provoking one first; the weights' order. A primitive of fewer vertices repeats its last.
   std::array<uint32_t, 3> vertices{};
@@ -28,12 +31,69 @@ struct ShadedPrimitive {
   int32_t anchor_x = 0;  // of the planes of varyings: a pixel of the tile, near the primitive
   int32_t anchor_y = 0;
 
-  // Of a smooth varying with these values at the three vertices.
-  [[nodiscard, gnu::always_inline]] VaryingPlanes smooth(const Vec4& value0, const Vec4& value1,
-                                                         const Vec4& value2) const {
-    return smooth_planes(*interpolation, anchor_x, anchor_y, value0, value1, value2);
+  // Of varyings whose value at a vertex is `of(vertex)`, a Vec4: smooth, or of the provoking vertex.
+  template <typename Of>
+  [[nodiscard, gnu::always_inline]] VaryingPlanes<> smooth(const Of& of) const {
+    return smooth_planes(*interpolation, anchor_x, anchor_y, of(vertices[0]), of(vertices[1]), of(vertices[2]));
+  }
+  template <typename Of>
+  [[nodiscard, gnu::always_inline]] Vec4 flat(const Of& of) const {
+    return of(vertices[0]);
   }
 };
+
+// As many primitives about to be shaded as there are lanes: what ShadedPrimitive has of one. L is a lane type
+// (lanes.h).
+template <typename L>
+struct PrimitiveLanes {
+  using Lanes = L;
+  using Weights = std::array<typename L::Double, 3>;
+
+  std::array<const SetupPrimitive*, L::kWidth> primitives;
+  // Of the vertices, divided by w (interpolation.h): at the pixel at which the planes of varyings are anchored.
+  Weights at_anchor;
+  Weights step_x;
+  Weights step_y;
+
+  template <typename Of>
+  [[nodiscard, gnu::always_inline]] VaryingPlanes<L> smooth(const Of& of) const {
+    const std::array<Color<L>, 3> values{values_at<0>(of), values_at<1>(of), values_at<2>(of)};
+    VaryingPlanes<L> planes;
+    for (size_t component = 0; component < 4; ++component) {
+      const auto a = L::to_double(values[0][component]);
+      const auto b = L::to_double(values[1][component]);
+      const auto c = L::to_double(values[2][component]);
+      const auto sum = [&](const Weights& weights) __attribute__((always_inline)) {
+        return L::to_float(weights[0] * a + weights[1] * b + weights[2] * c);
+      };
+      planes.at_anchor[component] = sum(at_anchor);
+      planes.step_x[component] = sum(step_x);
+      planes.step_y[component] = sum(step_y);
+    }
+    return planes;
+  }
+  template <typename Of>
+  [[nodiscard, gnu::always_inline]] Color<L> flat(const Of& of) const {
+    return values_at<0>(of);
+  }
+
+ private:
+  template <size_t kVertex, typename Of>
+  [[nodiscard, gnu::always_inline]] Color<L> values_at(const Of& of) const {
+    return L::load_components([&](uint32_t lane) __attribute__((always_inline)) {
+      return of(primitives[lane]->indices[kVertex]).data();
+    });
+  }
+};
+
+// As that of one primitive (color.h).
+template <typename L>
+[[gnu::always_inline]] inline VaryingPlane<L> reciprocal_w_plane(const PrimitiveLanes<L>& primitives) {
+  const auto sum = [](const typename PrimitiveLanes<L>::Weights& l) __attribute__((always_inline)) {
+    return L::to_float(l[0] + l[1] + l[2]);
+  };
+  return {.at_anchor = sum(primitives.at_anchor), .step_x = sum(primitives.step_x), .step_y = sum(primitives.step_y)};
+}
 
 // A fragment that passed the depth test at one of its samples at least.
 struct Fragment {
@@ -66,13 +126,15 @@ concept PrimitiveProgram = requires(const P& program, uint32_t vertex, const Sha
   // The vertex program: the position in clip space. Called once for each vertex.
   { program.position(vertex) } -> std::convertible_to<ClipPosition>;
   // What the fragments of a primitive share. Called once for each primitive and tile.
-  { program.primitive_data(primitive) } -> std::same_as<typename P::PrimitiveData>;
+  program.primitive_data(primitive);
 };
+template <PrimitiveProgram P>
+using PrimitiveData = decltype(std::declval<const P&>().primitive_data(std::declval<const ShadedPrimitive&>()));
 
 // A program of fragments one by one, which does with them whatever it likes.
 template <typename P>
 concept FragmentProgram = PrimitiveProgram<P> &&
-    requires(const P& program, const typename P::PrimitiveData& data, const Fragment& fragment) {
+    requires(const P& program, const PrimitiveData<P>& data, const Fragment& fragment) {
   // The fragment program: writes wherever it likes for this pixel.
   program.fragment(data, fragment);
 };
@@ -82,17 +144,24 @@ concept FragmentProgram = PrimitiveProgram<P> &&
 // which it must be inlined always.
 template <typename P>
 concept BlockProgram = FragmentProgram<P> &&
-    requires(const P& program, const typename P::PrimitiveData& data, int32_t x, int32_t y, uint64_t landed,
+    requires(const P& program, const PrimitiveData<P>& data, int32_t x, int32_t y, uint64_t landed,
              const PrimitiveInterpolation& interpolation) {
   program.template block<ScalarLanes>(data, x, y, landed, interpolation);
 };
 
 // A program that gives fragments their colour for the colour attachment, as many at once as there are lanes:
-//   template <typename L> [[gnu::always_inline]] Color<L> color(const PrimitiveData&, const FragmentLanes<L>&) const;
+//   template <typename L> [[gnu::always_inline]] Color<L> color(const Data& data, const FragmentLanes<L>&) const;
 template <typename P>
 concept ColorProgram = PrimitiveProgram<P> &&
-    requires(const P& program, const typename P::PrimitiveData& data, const FragmentLanes<ScalarLanes>& fragments) {
+    requires(const P& program, const PrimitiveData<P>& data, const FragmentLanes<ScalarLanes>& fragments) {
   { program.template color<ScalarLanes>(data, fragments) } -> std::same_as<Color<ScalarLanes>>;
+};
+
+// One whose primitive_data() and color() also take as many primitives as there are lanes: tiny ones are then shaded
+// several at once (tiny_shader.h).
+template <typename P>
+concept LaneProgram = ColorProgram<P> && requires(const P& program, const PrimitiveLanes<ScalarLanes>& primitives) {
+  program.primitive_data(primitives);
 };
 
 // Either may also have `void prefetch(uint32_t vertex) const`, which asks for what primitive_data() will read of it.

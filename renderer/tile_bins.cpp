@@ -24,47 +24,39 @@ void PrimitiveChunk::clear() {
   large_.clear();
 }
 
-void PrimitiveChunk::append_to(std::vector<TileEntry>& entries, uint32_t tile) const {
-  const auto append = [&](uint32_t index) { entries.push_back({&room_[index], &polygon_vertices_}); };
+TileEntry* PrimitiveChunk::write_entries(uint32_t tile, TileEntry* entries) const {
+  const auto write = [&](uint32_t index) { *entries++ = {&room_[index], &polygon_vertices_}; };
   auto next_large = large_.begin();
   for (uint32_t i = bin_begins_[tile]; i < bin_begins_[tile + 1]; ++i) {
     for (; next_large != large_.end() && *next_large < bin_entries_[i]; ++next_large) {
-      append(*next_large);
+      write(*next_large);
     }
-    append(bin_entries_[i]);
+    write(bin_entries_[i]);
   }
-  std::for_each(next_large, large_.end(), append);
+  std::for_each(next_large, large_.end(), write);
+  return entries;
 }
 
 void PrimitiveChunk::sort_into(const TileGrid& grid) {
-  const auto for_each_tile = [&](const PixelRect& tiles, const auto& visit) {
-    if (tiles.width() == 1 && tiles.height() == 1) {
-      visit(grid.index(tiles.left, tiles.top));
-      return;
-    }
-    for (int32_t row = tiles.top; row < tiles.bottom; ++row) {
-      for (int32_t column = tiles.left; column < tiles.right; ++column) {
-        visit(grid.index(column, row));
-      }
-    }
-  };
-  const auto is_large = [](const PixelRect& tiles) {
-    return static_cast<uint32_t>(tiles.width() * tiles.height()) > kMaxTilesInBins;
-  };
-
-  // Step 1: the size of each bin.
+  // Step 1: the size of each bin. What touches one tile, as most do, is not asked again.
   constexpr size_t kCostOfPrimitive = 64;
   const std::span<const SetupPrimitive> primitives = this->primitives();
   cost_ = kCostOfPrimitive * primitives.size();
   bin_begins_.assign(grid.count() + 1, 0);
+  static thread_local std::vector<uint32_t> only_tiles;  // of each primitive, or kSeveralTiles
+  only_tiles.resize(primitives.size());
   for (uint32_t i = 0; i < primitives.size(); ++i) {
     const PixelRect bounds = primitives[i].bounds();
     cost_ += static_cast<size_t>(bounds.width()) * static_cast<size_t>(bounds.height());
     const PixelRect tiles = grid.tiles(bounds);
-    if (is_large(tiles)) {
+    const auto count = static_cast<uint32_t>(tiles.width() * tiles.height());
+    only_tiles[i] = count == 1 ? grid.index(tiles.left, tiles.top) : kSeveralTiles;
+    if (count == 1) {
+      ++bin_begins_[only_tiles[i]];
+    } else if (count > kMaxTilesInBins) {
       large_.push_back(i);
     } else {
-      for_each_tile(tiles, [&](uint32_t tile) { ++bin_begins_[tile]; });
+      grid.for_each(tiles, [&](uint32_t tile) { ++bin_begins_[tile]; });
     }
   }
   // Step 2: the end of each bin; filling it from the last primitive to the first turns it into its beginning.
@@ -74,10 +66,15 @@ void PrimitiveChunk::sort_into(const TileGrid& grid) {
     begin = sum;
   }
   bin_entries_.resize(sum);
+  size_t large = large_.size();
   for (auto i = static_cast<uint32_t>(primitives.size()); i-- > 0;) {
-    const PixelRect tiles = grid.tiles(primitives[i].bounds());
-    if (!is_large(tiles)) {
-      for_each_tile(tiles, [&](uint32_t tile) { bin_entries_[--bin_begins_[tile]] = i; });
+    const auto put = [&](uint32_t tile) { bin_entries_[--bin_begins_[tile]] = i; };
+    if (only_tiles[i] != kSeveralTiles) {
+      put(only_tiles[i]);
+    } else if (large > 0 && large_[large - 1] == i) {
+      --large;
+    } else {
+      grid.for_each(grid.tiles(primitives[i].bounds()), put);
     }
   }
 }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -29,6 +30,15 @@ class TileGrid {
   }
   [[nodiscard]] uint32_t index(int32_t column, int32_t row) const {
     return static_cast<uint32_t>(row * tiles_.width() + column);
+  }
+  // Of such a rectangle of tiles.
+  template <typename Visit>
+  void for_each(const PixelRect& tiles, const Visit& visit) const {
+    for (int32_t row = tiles.top; row < tiles.bottom; ++row) {
+      for (int32_t column = tiles.left; column < tiles.right; ++column) {
+        visit(index(column, row));
+      }
+    }
   }
 
  private:
@@ -63,12 +73,17 @@ class PrimitiveChunk {
   void prefetch_bin(uint32_t tile) const { __builtin_prefetch(&bin_begins_[tile]); }
   void prefetch_entries(uint32_t tile) const { __builtin_prefetch(bin_entries_.data() + bin_begins_[tile]); }
 
-  // Appends the primitives that may touch the tile, in the order of submission.
-  void append_to(std::vector<TileEntry>& entries, uint32_t tile) const;
+  // The primitives that may touch the tile, in the order of submission: how many, and to where there is room for
+  // them; behind the last.
+  [[nodiscard]] size_t entry_count(uint32_t tile) const {
+    return bin_begins_[tile + 1] - bin_begins_[tile] + large_.size();
+  }
+  TileEntry* write_entries(uint32_t tile, TileEntry* entries) const;
 
  private:
   // A primitive in more tiles than this is looked at by every tile; so bins stay small.
   static constexpr uint32_t kMaxTilesInBins = 16;
+  static constexpr uint32_t kSeveralTiles = std::numeric_limits<uint32_t>::max();
 
   [[nodiscard]] std::span<const SetupPrimitive> primitives() const { return room_.first(count_); }
 

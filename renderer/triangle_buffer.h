@@ -6,20 +6,24 @@
 #include <cstdint>
 #include <span>
 
+#include "renderer/color.h"
 #include "renderer/interpolation.h"
 #include "renderer/shading.h"
 #include "renderer/triangle_planes.h"
 
 namespace fillrule::renderer::internal {
 
-// As many triangles as there are lanes on their way to their planes.
+// As many triangles as there are lanes, and their planes.
 template <typename L>
 class LaneTriangleBuffer {
+  using Int = typename L::Int;
+
  public:
   // Of a whole triangle the outline is its vertices.
   [[gnu::always_inline]] void put(uint32_t lane, const SetupPrimitive& primitive,
                                   std::span<const FixedPosition> outline,
                                   std::span<const ClipPosition> positions_clip) {
+    primitives_[lane] = &primitive;
     for (size_t vertex = 0; vertex < 3; ++vertex) {
       positions_clip_[vertex][lane] = positions_clip[primitive.indices[vertex]];
       corners_[vertex][lane] = outline[vertex];
@@ -29,28 +33,38 @@ class LaneTriangleBuffer {
     }
   }
 
-  [[gnu::always_inline]] void compute(const PreparedDraw& draw) {
+  [[gnu::always_inline]] void compute(const PreparedDraw& draw, std::span<const ClipPosition> positions_clip) {
     const RasterState& state = draw.input.state;
-    depth_transform_ = depth_transform(state);
+    const DepthTransform depth = depth_transform(state);
     const LaneAnchors anchors = plane_anchors(draw);
     L::store(anchors.x, anchor_x_.data());
     L::store(anchors.y, anchor_y_.data());
     LaneTriangles<L> triangles{.anchor_x = L::to_double(anchors.x), .anchor_y = L::to_double(anchors.y)};
     for (size_t vertex = 0; vertex < 3; ++vertex) {
-      const auto components = L::load_components(positions_clip_[vertex].front().data());
+      const auto components = L::load_components([&](uint32_t lane) __attribute__((always_inline)) {
+        return positions_clip_[vertex][lane].data();
+      });
       for (size_t i = 0; i < 4; ++i) {
         triangles.positions_clip[vertex][i] = L::to_double(components[i]);
       }
+      L::store(components[3], w_[vertex].data());
     }
-    const LanePlanes<L> planes = triangle_planes<L>(state.viewport, depth_transform_, triangles);
+    const LanePlanes<L> planes = triangle_planes<L>(state.viewport, depth, triangles);
     for (size_t coefficient = 0; coefficient < 3; ++coefficient) {
       for (size_t vertex = 0; vertex < 3; ++vertex) {
         L::store(planes.per_w[vertex][coefficient], planes_[vertex][coefficient].data());
       }
       L::store(planes.depth_framebuffer[coefficient], planes_[3][coefficient].data());
     }
-    L::store(planes.determinant, determinant_.data());
-    L::store(planes.rounding, rounding_.data());
+    Values determinant;
+    Values rounding;
+    L::store(planes.determinant, determinant.data());
+    L::store(planes.rounding, rounding.data());
+    for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
+      if (std::abs(determinant[lane]) <= rounding[lane]) {
+        make_constant(lane, depth, positions_clip);
+      }
+    }
   }
 
   [[gnu::always_inline]] void get(uint32_t lane, PrimitiveInterpolation& interpolation) const {
@@ -58,16 +72,34 @@ class LaneTriangleBuffer {
     interpolation.anchor_y = anchor_y_[lane];
     for (size_t vertex = 0; vertex < 3; ++vertex) {
       interpolation.per_w[vertex] = plane(planes_[vertex], lane);
-      interpolation.w[vertex] = positions_clip_[vertex][lane][3];
+      interpolation.w[vertex] = w_[vertex][lane];
     }
     interpolation.depth_framebuffer = plane(planes_[3], lane);
-    if (std::abs(determinant_[lane]) <= rounding_[lane]) {
-      interpolation = constant(lane);
+  }
+
+  // The pixels at which the planes are anchored.
+  [[nodiscard]] const std::array<int32_t, L::kWidth>& anchor_x() const { return anchor_x_; }
+  [[nodiscard]] const std::array<int32_t, L::kWidth>& anchor_y() const { return anchor_y_; }
+
+  [[nodiscard, gnu::always_inline]] WindowPlane depth_framebuffer(uint32_t lane) const {
+    return plane(planes_[3], lane);
+  }
+
+  // What programs are given, for planes of varyings that are anchored at other pixels.
+  [[nodiscard, gnu::always_inline]] PrimitiveLanes<L> shaded(const Int& anchor_x, const Int& anchor_y) const {
+    const auto x = L::to_double(anchor_x - L::load(anchor_x_.data()));
+    const auto y = L::to_double(anchor_y - L::load(anchor_y_.data()));
+    PrimitiveLanes<L> shaded{.primitives = primitives_};
+    for (size_t vertex = 0; vertex < 3; ++vertex) {
+      shaded.step_x[vertex] = L::load(planes_[vertex][0].data());
+      shaded.step_y[vertex] = L::load(planes_[vertex][1].data());
+      shaded.at_anchor[vertex] =
+          L::load(planes_[vertex][2].data()) + shaded.step_x[vertex] * x + shaded.step_y[vertex] * y;
     }
+    return shaded;
   }
 
  private:
-  using Int = typename L::Int;
   using Values = std::array<double, L::kWidth>;  // lane by lane
 
   struct LaneAnchors {
@@ -95,20 +127,30 @@ class LaneTriangleBuffer {
     return {.at_anchor = coefficients[2][lane], .step_x = coefficients[0][lane], .step_y = coefficients[1][lane]};
   }
 
-  [[nodiscard, gnu::noinline]] PrimitiveInterpolation constant(uint32_t lane) const {
-    return make_constant_interpolation(depth_transform_,
-                                       {positions_clip_[0][lane], positions_clip_[1][lane], positions_clip_[2][lane]},
-                                       anchor_x_[lane], anchor_y_[lane]);
+  // Where plane equations mean nothing.
+  [[gnu::noinline]] void make_constant(uint32_t lane, const DepthTransform& depth,
+                                       std::span<const ClipPosition> positions_clip) {
+    const auto& [a, b, c] = primitives_[lane]->indices;
+    const PrimitiveInterpolation constant = make_constant_interpolation(
+        depth, {positions_clip[a], positions_clip[b], positions_clip[c]}, anchor_x_[lane], anchor_y_[lane]);
+    const auto set = [lane](const WindowPlane& plane, std::array<Values, 3>& coefficients) {
+      coefficients[0][lane] = plane.step_x;
+      coefficients[1][lane] = plane.step_y;
+      coefficients[2][lane] = plane.at_anchor;
+    };
+    for (size_t vertex = 0; vertex < 3; ++vertex) {
+      set(constant.per_w[vertex], planes_[vertex]);
+    }
+    set(constant.depth_framebuffer, planes_[3]);
   }
 
-  DepthTransform depth_transform_;
+  std::array<const SetupPrimitive*, L::kWidth> primitives_;
   std::array<std::array<ClipPosition, L::kWidth>, 3> positions_clip_;
   std::array<std::array<FixedPosition, L::kWidth>, 3> corners_;
   std::array<int32_t, L::kWidth> anchor_x_;
   std::array<int32_t, L::kWidth> anchor_y_;
-  std::array<std::array<Values, 3>, 4> planes_;  // of the three vertices, and of the depth
-  Values determinant_;
-  Values rounding_;
+  std::array<std::array<float, L::kWidth>, 3> w_;
+  std::array<std::array<Values, 3>, 4> planes_;  // of the three vertices, and of the depth: step_x, step_y, at_anchor
 };
 
 }  // namespace fillrule::renderer::internal

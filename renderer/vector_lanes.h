@@ -109,6 +109,27 @@ struct VectorLanes {
   [[gnu::always_inline]] static Double magnitude(const Double& value) {
     return value.magnitude();
   }
+  template <typename Value>
+  [[gnu::always_inline]] static Value chosen(const Value& values, const Int& lanes) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 32 && std::is_same_v<Value, Float>) {
+      return __builtin_ia32_permvarsf256(values, lanes);
+    } else if constexpr (kFloatBytes == 32) {
+      return __builtin_ia32_permvarsi256(values, lanes);
+    } else if constexpr (kFloatBytes == 16) {
+      using Chars = typename SimdVector<char, 16>::Type;
+      const Int bytes = lanes * 0x04040404 + 0x03020100;
+      const auto result =
+          __builtin_ia32_pshufb128(reinterpret_cast<const Chars&>(values), reinterpret_cast<const Chars&>(bytes));
+      return reinterpret_cast<const Value&>(result);
+    }
+#endif
+    Value result;
+    for (uint32_t lane = 0; lane < kWidth; ++lane) {
+      result[lane] = values[lanes[lane]];
+    }
+    return result;
+  }
   [[gnu::always_inline]] static Int truncated(const Float& value) {
     return __builtin_convertvector(value, Int);
   }
@@ -118,15 +139,16 @@ struct VectorLanes {
     return bits;
   }
 
-  [[gnu::always_inline]] static std::array<Float, 4> load_components(const float* vectors) {
+  template <typename VectorOf>
+  [[gnu::always_inline]] static std::array<Float, 4> load_components(const VectorOf& vector_of) {
     // In each quarter of 16 bytes the four-vectors of as many lanes: those of lane i and, if there are eight, i + 4.
     const auto of_lane = [&](uint32_t lane) __attribute__((always_inline)) {
       using Four = typename SimdVector<float, 16>::Type;
-      const Four low = loaded<Four>(vectors + size_t{lane} * 4);
+      const Four low = loaded<Four>(vector_of(lane));
       if constexpr (kWidth == 4) {
         return low;
       } else {
-        const Four high = loaded<Four>(vectors + size_t{lane + 4} * 4);
+        const Four high = loaded<Four>(vector_of(lane + 4));
         return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
       }
     };

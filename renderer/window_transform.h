@@ -129,7 +129,8 @@ template <typename L>
 [[gnu::always_inline]] inline void WindowTransform::window_vertices(const ClipPosition* positions_clip,
                                                                     WindowVertex* vertices) const {
   using Float = typename L::Float;
-  const auto [x, y, z, w] = L::load_components(positions_clip->data());
+  const auto [x, y, z, w] =
+      L::load_components([&](uint32_t lane) __attribute__((always_inline)) { return positions_clip[lane].data(); });
   const Float minus_w = L::all(0.0F) - w;
   const Float near = depth_volume_.negative_one_to_one ? minus_w : L::all(0.0F);
   typename L::Mask is_usual = w >= L::all(kLeastInvertible);

@@ -17,30 +17,34 @@ class MeanColor {
   explicit MeanColor(const Scene& scene)
       : positions_clip_(scene.positions_clip.data()), attributes_(scene.attributes.data()) {}
 
-  using PrimitiveData = std::array<std::conditional_t<kFlat, Attribute, renderer::VaryingPlanes>, kCount>;
-
   [[nodiscard]] ClipPosition position(uint32_t vertex) const { return positions_clip_[vertex]; }
 
   [[gnu::always_inline]] void prefetch(uint32_t vertex) const {
     __builtin_prefetch(attributes_ + size_t{vertex} * kCount);
   }
 
-  [[nodiscard, gnu::always_inline]] PrimitiveData primitive_data(const renderer::ShadedPrimitive& primitive) const {
-    const auto& [a, b, c] = primitive.vertices;
-    PrimitiveData data;
-    for (size_t i = 0; i < kCount; ++i) {
-      const auto of = [&](uint32_t vertex) -> const Attribute& { return attributes_[size_t{vertex} * kCount + i]; };
+  // Of one primitive, or of several lane by lane.
+  template <typename Primitives>
+  [[nodiscard, gnu::always_inline]] auto primitive_data(const Primitives& primitives) const {
+    const auto varying = [&](size_t i) __attribute__((always_inline)) {
+      const auto of = [&](uint32_t vertex) __attribute__((always_inline))->const Attribute& {
+        return attributes_[size_t{vertex} * kCount + i];
+      };
       if constexpr (kFlat) {
-        data[i] = of(a);
+        return primitives.flat(of);
       } else {
-        data[i] = primitive.smooth(of(a), of(b), of(c));
+        return primitives.smooth(of);
       }
+    };
+    std::array<decltype(varying(0)), kCount> data;
+    for (size_t i = 0; i < kCount; ++i) {
+      data[i] = varying(i);
     }
     return data;
   }
 
-  template <typename L>
-  [[nodiscard, gnu::always_inline]] renderer::Color<L> color(const PrimitiveData& data,
+  template <typename L, typename Data>
+  [[nodiscard, gnu::always_inline]] renderer::Color<L> color(const Data& data,
                                                              const renderer::FragmentLanes<L>& fragments) const {
     renderer::Color<L> sum = value(data[0], fragments);
     for (size_t i = 1; i < kCount; ++i) {
