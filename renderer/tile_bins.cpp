@@ -43,19 +43,21 @@ void PrimitiveChunk::sort_into(const TileGrid& grid) {
   const std::span<const SetupPrimitive> primitives = this->primitives();
   cost_ = kCostOfPrimitive * primitives.size();
   bin_begins_.assign(grid.count() + 1, 0);
-  static thread_local std::vector<uint32_t> only_tiles;  // of each primitive, or kSeveralTiles
+  static thread_local std::vector<uint32_t> only_tiles;  // of each primitive; or kSeveralTiles, kNoBin
   only_tiles.resize(primitives.size());
   for (uint32_t i = 0; i < primitives.size(); ++i) {
     const PixelRect bounds = primitives[i].bounds();
     cost_ += static_cast<size_t>(bounds.width()) * static_cast<size_t>(bounds.height());
     const PixelRect tiles = grid.tiles(bounds);
     const auto count = static_cast<uint32_t>(tiles.width() * tiles.height());
-    only_tiles[i] = count == 1 ? grid.index(tiles.left, tiles.top) : kSeveralTiles;
     if (count == 1) {
+      only_tiles[i] = grid.index(tiles.left, tiles.top);
       ++bin_begins_[only_tiles[i]];
     } else if (count > kMaxTilesInBins) {
+      only_tiles[i] = kNoBin;
       large_.push_back(i);
     } else {
+      only_tiles[i] = kSeveralTiles;
       grid.for_each(tiles, [&](uint32_t tile) { ++bin_begins_[tile]; });
     }
   }
@@ -66,15 +68,12 @@ void PrimitiveChunk::sort_into(const TileGrid& grid) {
     begin = sum;
   }
   bin_entries_.resize(sum);
-  size_t large = large_.size();
   for (auto i = static_cast<uint32_t>(primitives.size()); i-- > 0;) {
     const auto put = [&](uint32_t tile) { bin_entries_[--bin_begins_[tile]] = i; };
-    if (only_tiles[i] != kSeveralTiles) {
-      put(only_tiles[i]);
-    } else if (large > 0 && large_[large - 1] == i) {
-      --large;
-    } else {
+    if (only_tiles[i] == kSeveralTiles) {
       grid.for_each(grid.tiles(primitives[i].bounds()), put);
+    } else if (only_tiles[i] != kNoBin) {
+      put(only_tiles[i]);
     }
   }
 }

@@ -83,7 +83,9 @@ class PrimitiveChunk {
  private:
   // A primitive in more tiles than this is looked at by every tile; so bins stay small.
   static constexpr uint32_t kMaxTilesInBins = 16;
+  // What sorting notes in place of a tile.
   static constexpr uint32_t kSeveralTiles = std::numeric_limits<uint32_t>::max();
+  static constexpr uint32_t kNoBin = kSeveralTiles - 1;
 
   [[nodiscard]] std::span<const SetupPrimitive> primitives() const { return room_.first(count_); }
 
