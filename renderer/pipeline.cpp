@@ -64,15 +64,15 @@ class ChunkBuilder {
     Lanes lanes;
     std::array<std::array<uint32_t, 3>, Lanes::kTriangles> indices;
     draw_.assembly.vertices(first, std::span{indices}.first(count));
-    uint64_t whole = 0;
+    uint64_t others = 0;
     for (uint32_t i = 0; i < count; ++i) {
       const auto& [a, b, c] = indices[i];
       lanes.put(i, window_vertices_[a].position, window_vertices_[b].position, window_vertices_[c].position);
-      whole |= uint64_t{is_whole(indices[i])} << i;
+      others |= uint64_t{!is_whole(indices[i])} << i;
     }
     lanes.set_up(draw_.setup, {draw_.has_tiny_coverage, draw_.samples().front().sample_fixed}, count);
-    const uint64_t by_lanes = whole & lanes.visible();
-    const uint64_t one_by_one = (~whole | lanes.too_large()) & ~uint64_t{0} >> (Lanes::kTriangles - count);
+    const uint64_t by_lanes = lanes.visible() & ~others;
+    const uint64_t one_by_one = others | lanes.too_large();
     for (uint64_t rest = by_lanes | one_by_one; rest != 0; rest &= rest - 1) {
       const auto i = static_cast<uint32_t>(std::countr_zero(rest));
       if ((by_lanes >> i & 1U) != 0) {
@@ -241,7 +241,7 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupP
                                           std::span<const ClipPosition> positions_clip,
                                           std::span<const FixedPosition> outline) {
   const std::array<uint32_t, 3>& vertices = primitive.indices;
-  const auto [anchor_x, anchor_y] = plane_anchor(draw, outline);
+  const PlaneAnchor anchor = plane_anchor(draw, outline);
   const RasterState& state = draw.input.state;
   const DepthTransform depth = depth_transform(state);
   const std::array<ClipPosition, 3> positions{positions_clip[vertices[0]], positions_clip[vertices[1]],
@@ -250,21 +250,21 @@ PrimitiveInterpolation make_interpolation(const PreparedDraw& draw, const SetupP
     switch (draw.shape) {
       case Shape::kLine:
         return make_line_interpolation(state.viewport, depth, positions, primitive.ends,
-                                       line_parameter(state, outline), anchor_x, anchor_y);
+                                       line_parameter(state, outline), anchor.x, anchor.y);
       case Shape::kPoint: {
         const float size = effective_point_size(draw.input.vertices.point_size(vertices[primitive.ends.from]));
-        return make_point_interpolation(state.viewport, depth, positions, primitive.ends.from, size, anchor_x,
-                                        anchor_y);
+        return make_point_interpolation(state.viewport, depth, positions, primitive.ends.from, size, anchor.x,
+                                        anchor.y);
       }
       case Shape::kPolygon:
         break;
     }
-    return make_interpolation(state.viewport, depth, positions, anchor_x, anchor_y);
+    return make_interpolation(state.viewport, depth, positions, anchor.x, anchor.y);
   }();
   if (state.depth_bias && is_polygon_topology(draw.input.vertices.topology)) {
     interpolation.depth_framebuffer.at_anchor +=
         draw.shape == Shape::kPolygon ? bias_of(draw, positions, outline, interpolation)
-                                      : bias_of_outlined(draw, vertices, positions_clip, anchor_x, anchor_y);
+                                      : bias_of_outlined(draw, vertices, positions_clip, anchor.x, anchor.y);
   }
   return interpolation;
 }

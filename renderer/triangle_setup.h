@@ -101,7 +101,7 @@ class TriangleLanes {
     return L::to_float(product(b.x - a.x, c.y - a.y) - product(c.x - a.x, b.y - a.y));
   }
 
-  [[gnu::always_inline]] Corner corner(size_t vertex, uint32_t first) const {
+  [[nodiscard, gnu::always_inline]] Corner corner(size_t vertex, uint32_t first) const {
     const auto [x, y] = L::load_pairs(&corners_[vertex][first].x_fixed);
     return {x, y};
   }
