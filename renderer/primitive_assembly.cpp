@@ -34,9 +34,9 @@ PrimitiveAssembly::PrimitiveAssembly(const VertexStream& stream, VkProvokingVert
 }
 
 void PrimitiveAssembly::vertices(uint32_t first, std::span<std::array<uint32_t, 3>> of_primitives) const {
-  const bool is_in_order = topology_ == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST &&
-                           provoking_vertex_ == VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT && runs_.size() == 1;
-  if (!is_in_order || !indices_) {
+  const bool are_as_indexed = indices_ && topology_ == VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST &&
+                              provoking_vertex_ == VK_PROVOKING_VERTEX_MODE_FIRST_VERTEX_EXT && runs_.size() == 1;
+  if (!are_as_indexed) {
     for (auto& of_primitive : of_primitives) {
       of_primitive = vertices(first++);
     }

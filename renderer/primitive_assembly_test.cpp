@@ -106,6 +106,29 @@ TEST(PrimitiveAssembly, EachRunBeginsAnewButNumbersRunOn) {
   EXPECT_EQ(PrimitiveAssembly(none, kFirst).count(), 0U);
 }
 
+TEST(PrimitiveAssembly, SeveralAtOnceAreThoseOneByOne) {
+  const std::array<uint32_t, 14> indices = {9, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 3, 2, 1};
+  const std::array<ElementRun, 1> one_run{{{1, 12}}};
+  const std::array<ElementRun, 2> two_runs{{{0, 6}, {7, 6}}};
+  for (const std::span<const ElementRun> runs :
+       {std::span<const ElementRun>(one_run), std::span<const ElementRun>(two_runs)}) {
+    for (const VkPrimitiveTopology topology : {VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, kStrip}) {
+      for (const VkProvokingVertexModeEXT provoking : {kFirst, VK_PROVOKING_VERTEX_MODE_LAST_VERTEX_EXT}) {
+        for (const bool is_indexed : {true, false}) {
+          VertexStream stream{.topology = topology, .vertex_count = 14, .vertex_offset = 2, .runs = runs};
+          if (is_indexed) stream.indices = std::span<const uint32_t>(indices);
+          const PrimitiveAssembly assembly(stream, provoking);
+          std::vector<std::array<uint32_t, 3>> several(assembly.count() - 1);
+          assembly.vertices(1, several);
+          for (uint32_t i = 1; i < assembly.count(); ++i) {
+            EXPECT_EQ(several[i - 1], assembly.vertices(i)) << i << ", topology " << topology;
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(CheckIndices, WithTheOffsetTheyMustBeVertices) {
   const std::array<uint32_t, 3> indices = {0, 1, 3};
   const auto is_drawn = [&](uint32_t vertices, int32_t offset) {

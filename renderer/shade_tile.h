@@ -168,7 +168,7 @@ class ShadingQueue {
         const Entry& entry = entries_[std::min(first + lane, count_ - 1)];  // beyond the last, the last again
         triangles.put(lane, *entry.primitive, entry.outline, positions_clip_);
       }
-      triangles.compute(draw_, positions_clip_);
+      triangles.compute(draw_);
       for (uint32_t i = first; i < std::min(first + L::kWidth, count_); ++i) {
         if (is_tiny(i)) {
           has_tiny = true;

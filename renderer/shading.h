@@ -42,8 +42,8 @@ struct ShadedPrimitive {
   }
 };
 
-// As many primitives about to be shaded as there are lanes: what ShadedPrimitive has of one. L is a lane type
-// (lanes.h).
+// As many primitives about to be shaded as there are lanes: their varyings, as ShadedPrimitive has them of one. L is
+// a lane type (lanes.h).
 template <typename L>
 struct PrimitiveLanes {
   using Lanes = L;
@@ -160,8 +160,11 @@ concept ColorProgram = PrimitiveProgram<P> &&
 // One whose primitive_data() and color() also take as many primitives as there are lanes: tiny ones are then shaded
 // several at once (tiny_shader.h).
 template <typename P>
-concept LaneProgram = ColorProgram<P> && requires(const P& program, const PrimitiveLanes<ScalarLanes>& primitives) {
-  program.primitive_data(primitives);
+concept LaneProgram = ColorProgram<P> && requires(const P& program, const PrimitiveLanes<ScalarLanes>& primitives,
+                                                  const FragmentLanes<ScalarLanes>& fragments) {
+  {
+    program.template color<ScalarLanes>(program.primitive_data(primitives), fragments)
+    } -> std::same_as<Color<ScalarLanes>>;
 };
 
 // Either may also have `void prefetch(uint32_t vertex) const`, which asks for what primitive_data() will read of it.

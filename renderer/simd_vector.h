@@ -10,6 +10,8 @@
 #endif
 
 #include <cstdint>
+#include <cstring>
+#include <utility>
 
 namespace fillrule::renderer {
 
@@ -19,8 +21,42 @@ struct SimdVector {
 };
 
 #ifdef FILLRULE_HAS_LANE_BUILTINS
-// What the builtins of AVX-512 are told: the rounding that there is.
+// What the builtins of AVX-512 are told: the rounding that there is, and all lanes.
 inline constexpr int kCurrentRounding = 4;
+inline constexpr uint16_t kAllOf512 = 0xFFFF;
 #endif
+
+// The same in every lane. GCC 12 by itself would fill the lanes of a vector wider than SSE's one by one.
+template <typename Vector, typename Value>
+[[gnu::always_inline]] inline Vector broadcast(Value value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+  const typename SimdVector<Value, 16>::Type first{value};
+  if constexpr (sizeof(Vector) == 64 && sizeof(Value) == sizeof(double)) {
+    return __builtin_ia32_broadcastsd512(first, Vector{}, 0xFF);
+  } else if constexpr (sizeof(Vector) == 64) {
+    return __builtin_ia32_broadcastss512(first, Vector{}, kAllOf512);
+  } else if constexpr (sizeof(Vector) == 32 && sizeof(Value) == sizeof(double)) {
+    return __builtin_ia32_vbroadcastsd_pd256(first);
+  } else if constexpr (sizeof(Vector) == 32) {
+    return __builtin_ia32_vbroadcastss_ps256(first);
+  }
+#endif
+  return value - Vector{};
+}
+
+// From memory, which need not be aligned.
+template <typename Vector, typename T>
+[[gnu::always_inline]] inline Vector loaded(const T* values) {
+  Vector vector;
+  std::memcpy(&vector, values, sizeof vector);
+  return vector;
+}
+
+// Two halves as one vector, whose lanes kNumbers counts.
+template <typename Vector, typename Half, int... kNumbers>
+[[gnu::always_inline]] inline Vector joined(const Half& low, const Half& high,
+                                            std::integer_sequence<int, kNumbers...> /*all*/) {
+  return __builtin_shufflevector(low, high, kNumbers...);
+}
 
 }  // namespace fillrule::renderer

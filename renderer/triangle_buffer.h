@@ -6,7 +6,6 @@
 #include <cstdint>
 #include <span>
 
-#include "renderer/color.h"
 #include "renderer/interpolation.h"
 #include "renderer/shading.h"
 #include "renderer/triangle_planes.h"
@@ -33,7 +32,7 @@ class LaneTriangleBuffer {
     }
   }
 
-  [[gnu::always_inline]] void compute(const PreparedDraw& draw, std::span<const ClipPosition> positions_clip) {
+  [[gnu::always_inline]] void compute(const PreparedDraw& draw) {
     const RasterState& state = draw.input.state;
     const DepthTransform depth = depth_transform(state);
     const LaneAnchors anchors = plane_anchors(draw);
@@ -47,7 +46,6 @@ class LaneTriangleBuffer {
       for (size_t i = 0; i < 4; ++i) {
         triangles.positions_clip[vertex][i] = L::to_double(components[i]);
       }
-      L::store(components[3], w_[vertex].data());
     }
     const LanePlanes<L> planes = triangle_planes<L>(state.viewport, depth, triangles);
     for (size_t coefficient = 0; coefficient < 3; ++coefficient) {
@@ -62,7 +60,7 @@ class LaneTriangleBuffer {
     L::store(planes.rounding, rounding.data());
     for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
       if (std::abs(determinant[lane]) <= rounding[lane]) {
-        make_constant(lane, depth, positions_clip);
+        make_constant(lane, depth);
       }
     }
   }
@@ -72,7 +70,7 @@ class LaneTriangleBuffer {
     interpolation.anchor_y = anchor_y_[lane];
     for (size_t vertex = 0; vertex < 3; ++vertex) {
       interpolation.per_w[vertex] = plane(planes_[vertex], lane);
-      interpolation.w[vertex] = w_[vertex][lane];
+      interpolation.w[vertex] = positions_clip_[vertex][lane][3];
     }
     interpolation.depth_framebuffer = plane(planes_[3], lane);
   }
@@ -128,11 +126,10 @@ class LaneTriangleBuffer {
   }
 
   // Where plane equations mean nothing.
-  [[gnu::noinline]] void make_constant(uint32_t lane, const DepthTransform& depth,
-                                       std::span<const ClipPosition> positions_clip) {
-    const auto& [a, b, c] = primitives_[lane]->indices;
+  [[gnu::noinline]] void make_constant(uint32_t lane, const DepthTransform& depth) {
     const PrimitiveInterpolation constant = make_constant_interpolation(
-        depth, {positions_clip[a], positions_clip[b], positions_clip[c]}, anchor_x_[lane], anchor_y_[lane]);
+        depth, {positions_clip_[0][lane], positions_clip_[1][lane], positions_clip_[2][lane]}, anchor_x_[lane],
+        anchor_y_[lane]);
     const auto set = [lane](const WindowPlane& plane, std::array<Values, 3>& coefficients) {
       coefficients[0][lane] = plane.step_x;
       coefficients[1][lane] = plane.step_y;
@@ -149,7 +146,6 @@ class LaneTriangleBuffer {
   std::array<std::array<FixedPosition, L::kWidth>, 3> corners_;
   std::array<int32_t, L::kWidth> anchor_x_;
   std::array<int32_t, L::kWidth> anchor_y_;
-  std::array<std::array<float, L::kWidth>, 3> w_;
   std::array<std::array<Values, 3>, 4> planes_;  // of the three vertices, and of the depth: step_x, step_y, at_anchor
 };
 

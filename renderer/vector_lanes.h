@@ -1,5 +1,5 @@
-// The lane types of several lanes (lanes.h says what their operations do), and with double_lanes.h the only place
-// with intrinsics.
+// The lane types of several lanes (lanes.h says what their operations do), and with double_lanes.h and simd_vector.h
+// the only place with intrinsics.
 //
 // They are made of vectors of the compilers' extension (simd_vector.h), for the instructions of the function that
 // they are inlined into (isa.h chooses those at run time). Whatever takes or returns lanes must therefore be inlined
@@ -412,9 +412,6 @@ struct VectorLanes {
 
  private:
 #ifdef FILLRULE_HAS_LANE_BUILTINS
-  // What the builtins of AVX-512 are told: all lanes.
-  static constexpr uint16_t kAllOf512 = 0xFFFF;
-
   // In each 16 bytes of a packed vector four bytes of each value follow those of the last.
   [[gnu::always_inline]] static auto order_of_packed_bytes() {
     const typename SimdVector<char, 16>::Type order{0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
@@ -428,23 +425,6 @@ struct VectorLanes {
   static constexpr uint64_t kEachByte = 0x0101010101010101U;
   static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
 
-  // GCC 12 would fill the lanes of a vector wider than SSE's one by one.
-  template <typename Vector, typename Value>
-  [[gnu::always_inline]] static Vector broadcast(Value value) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    const typename SimdVector<Value, 16>::Type first{value};
-    if constexpr (sizeof(Vector) == 64 && sizeof(Value) == sizeof(double)) {
-      return __builtin_ia32_broadcastsd512(first, Vector{}, 0xFF);
-    } else if constexpr (sizeof(Vector) == 64) {
-      return __builtin_ia32_broadcastss512(first, Vector{}, kAllOf512);
-    } else if constexpr (sizeof(Vector) == 32 && sizeof(Value) == sizeof(double)) {
-      return __builtin_ia32_vbroadcastsd_pd256(first);
-    } else if constexpr (sizeof(Vector) == 32) {
-      return __builtin_ia32_vbroadcastss_ps256(first);
-    }
-#endif
-    return value - Vector{};
-  }
   template <uint32_t... kNumbers>
   [[gnu::always_inline]] static Int own_bits(std::integer_sequence<uint32_t, kNumbers...> /*all*/) {
     return Int{static_cast<int32_t>(1U << kNumbers)...};
@@ -452,17 +432,6 @@ struct VectorLanes {
   template <int32_t... kNumbers>
   [[gnu::always_inline]] static Int numbers(std::integer_sequence<int32_t, kNumbers...> /*all*/) {
     return Int{kNumbers...};
-  }
-  template <typename Value, typename T>
-  [[gnu::always_inline]] static Value loaded(const T* values) {
-    Value vector;
-    std::memcpy(&vector, values, sizeof vector);
-    return vector;
-  }
-  template <typename Value, typename Half, int... kNumbers>
-  [[gnu::always_inline]] static Value joined(const Half& low, const Half& high,
-                                             std::integer_sequence<int, kNumbers...> /*all*/) {
-    return __builtin_shufflevector(low, high, kNumbers...);
   }
   template <typename Half, typename Value>
   [[gnu::always_inline]] static Double widened(const Value& value) {
