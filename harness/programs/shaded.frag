@@ -1,11 +1,12 @@
 // The program `shaded`, fragment stage: texel times material, lit by Phong's model: ambient, diffuse and specular
-// light. The colour goes to the first slot's attachment, 0 to the others. shaded.cpp does the same operations in the
-// same order.
+// light. The colour goes to the one attachment behind hits and owner. shaded.cpp does the same operations in the same
+// order.
 //
 // Powers are made by multiplying, levels of detail from the differences within a quad of pixels: both are then exact
 // operations, where pow() and a sampler's own choice of level leave much open.
 //
-// VARIANT tells whether there is a texture (1) and light (2): each of both is half of what a driver compiles.
+// VARIANT tells whether there is a texture (1) and light (2): each of both is half of what a driver compiles. What else
+// it tells is of the vertex stage.
 #version 450
 
 layout(push_constant) uniform Numbering {
@@ -37,11 +38,11 @@ layout(set = 0, binding = 1) uniform sampler2D image;
 layout(location = 0) out float hits;
 layout(location = 1) out uint owner;
 
-#define DECLARE(i, qualifiers)                    \
-  layout(location = i) qualifiers in vec4 in_##i; \
-  layout(location = 2 + i) out vec4 out_##i;
-#define CLEAR(i, qualifiers) out_##i = vec4(0.0);
+#define DECLARE(i, qualifiers) layout(location = i) qualifiers in vec4 in_##i;
 INTERPOLATED(DECLARE)
+#if NUM_INTERPOLATED > 0
+layout(location = 2) out vec4 color_out;
+#endif
 
 #if !PRIMITIVE_ID
 layout(location = NUM_INTERPOLATED) flat in uint primitive_in;
@@ -96,7 +97,6 @@ void main() {
 #endif
   hits = 1.0;
   owner = (primitive + 1u) | (gl_FrontFacing ? 0x80000000u : 0u);
-  INTERPOLATED(CLEAR)
 #if NUM_INTERPOLATED > 0
 #if NUM_INTERPOLATED == 2
   const vec2 uv = in_1.zw;
@@ -110,6 +110,6 @@ void main() {
 #if (VARIANT & 2) != 0
   color = lit(color, in_0.xyz, vec3(in_0.w, in_1.xy));
 #endif
-  out_0 = vec4(clamp(color, 0.0, 1.0), 1.0);
+  color_out = vec4(clamp(color, 0.0, 1.0), 1.0);
 #endif
 }

@@ -1,6 +1,7 @@
 // The program `shaded`, vertex stage: hands positions and varyings on as they are, or applies the matrices to a position
 // of object space. The packed varyings are position (xyz), normal (xyz), uv: slot 0 is (position, normal.x), slot 1
-// begins with normal.yz. Its twin for the renderer is shaded.h; the macros are those of varyings.vert.
+// begins with normal.yz. VARIANT tells whether to apply the matrices (4). Its twin for the renderer is shaded.h; the
+// macros are those of varyings.vert.
 #version 450
 
 layout(set = 0, binding = 0, std140) readonly buffer Shading {
@@ -30,9 +31,7 @@ layout(location = 0) in vec4 position;
 #define HAND_ON(i, qualifiers) out_##i = in_##i;
 INTERPOLATED(DECLARE)
 
-#if POINTS
 layout(location = 1 + NUM_INTERPOLATED) in float point_size;
-#endif
 
 #if !PRIMITIVE_ID
 layout(push_constant) uniform Numbering {
@@ -51,18 +50,14 @@ vec3 direction_of(vec3 vector) {
 void main() {
   INTERPOLATED(HAND_ON)
   gl_Position = position;
-#if NUM_INTERPOLATED > 0
-  if (shading.transforms != 0) {
-    const vec4 position_world = shading.model * position;
-    gl_Position = shading.projection * (shading.view * position_world);
-    const vec3 normal_world = direction_of(mat3(shading.normal) * vec3(in_0.w, in_1.xy));
-    out_0 = vec4(position_world.xyz, normal_world.x);
-    out_1.xy = normal_world.yz;
-  }
+#if (VARIANT & 4) != 0 && NUM_INTERPOLATED > 0
+  const vec4 position_world = shading.model * position;
+  gl_Position = shading.projection * (shading.view * position_world);
+  const vec3 normal_world = direction_of(mat3(shading.normal) * vec3(in_0.w, in_1.xy));
+  out_0 = vec4(position_world.xyz, normal_world.x);
+  out_1.xy = normal_world.yz;
 #endif
-#if POINTS
   gl_PointSize = point_size;
-#endif
 #if !PRIMITIVE_ID
   primitive_out = first_primitive + (uint(gl_VertexIndex) - first_provoking_vertex) / vertices_per_primitive;
 #endif

@@ -38,9 +38,9 @@ struct ShadingUniforms {
 };
 static_assert(sizeof(ShadingUniforms) == 496);
 
-// VARIANT of shaded.frag: 1 for a texture, 2 for light, added up.
+// VARIANT of shaded.frag and shaded.vert: 1 for a texture, 2 for light, 4 for matrices to apply, added up.
 constexpr uint32_t shaded_variant(const ShadingUniforms& uniforms) {
-  return (uniforms.textured != 0 ? 1 : 0) + (uniforms.lights >= 0 ? 2 : 0);
+  return (uniforms.textured != 0 ? 1 : 0) + (uniforms.lights >= 0 ? 2 : 0) + (uniforms.transforms != 0 ? 4 : 0);
 }
 
 struct DrawShading {

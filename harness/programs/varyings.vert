@@ -1,9 +1,9 @@
 // The program `varyings`: final clip-space positions and packed varyings, handed on without arithmetic.
 //
 // Components of equal kind are packed into vec4 slots. INTERPOLATED(S) calls S(i, qualifiers) for each slot i that the
-// vertices fill, and there are NUM_INTERPOLATED of them. POINTS says whether points are drawn, NUM_CLIP_DISTANCES and
-// NUM_CULL_DISTANCES how many user distances there are, and PRIMITIVE_ID whether the fragment stage can read
-// gl_PrimitiveID. Its twin for the renderer is varyings.h.
+// vertices fill, and there are NUM_INTERPOLATED of them. NUM_CLIP_DISTANCES and NUM_CULL_DISTANCES say how many user
+// distances there are, and PRIMITIVE_ID whether the fragment stage can read gl_PrimitiveID. Its twin for the renderer is
+// varyings.h.
 #version 450
 
 layout(location = 0) in vec4 position_clip;
@@ -14,9 +14,7 @@ layout(location = 0) in vec4 position_clip;
 #define HAND_ON(i, qualifiers) out_##i = in_##i;
 INTERPOLATED(DECLARE)
 
-#if POINTS
 layout(location = 1 + NUM_INTERPOLATED) in float point_size;
-#endif
 #if NUM_CLIP_DISTANCES > 0
 layout(location = 2 + NUM_INTERPOLATED) in float clip_distances[NUM_CLIP_DISTANCES];
 out float gl_ClipDistance[NUM_CLIP_DISTANCES];
@@ -40,9 +38,7 @@ layout(location = NUM_INTERPOLATED) flat out uint primitive_out;
 void main() {
   gl_Position = position_clip;
   INTERPOLATED(HAND_ON)
-#if POINTS
   gl_PointSize = point_size;
-#endif
 #if NUM_CLIP_DISTANCES > 0
   for (int i = 0; i < NUM_CLIP_DISTANCES; ++i) gl_ClipDistance[i] = clip_distances[i];
 #endif

@@ -30,8 +30,6 @@ struct Device {
     Result<Planes> planes = reference.draw(built, resources);
     const std::vector<std::string> messages = reference.validation_messages();
     if (planes && !messages.empty()) return failure("the validation layers say: " + messages.front());
-    // Behind the colour are attachments that the program clears.
-    if (planes) planes->varyings.resize(4);
     return planes;
   }
 };
@@ -50,6 +48,7 @@ Result<Painter> driver_painter(const DriverOptions& options) {
                                  .driver_files = options.driver_files,
                                  .program = {.vertex_glsl = programs::shaded_vertex_glsl(),
                                              .fragment_glsl = programs::shaded_fragment_glsl(),
+                                             .draws_color = true,
                                              .uniform_bytes = sizeof(programs::ShadingUniforms)},
                                  .validation = options.validation});
   if (!reference) return tl::unexpected(reference.error());

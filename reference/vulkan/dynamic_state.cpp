@@ -51,8 +51,7 @@ PipelineKey DynamicState::without(PipelineKey key) const {
   key.line_mode = plain.line_mode;
   key.provoking_vertex = plain.provoking_vertex;
   key.sample_mask = plain.sample_mask;
-  // The vertex stage of points writes their size.
-  key.topology_class = key.draws_points() ? VK_PRIMITIVE_TOPOLOGY_POINT_LIST : plain.topology_class;
+  key.topology_class = plain.topology_class;
   key.polygon_mode = plain.polygon_mode;
   return key;
 }

@@ -42,9 +42,8 @@ VertexInput::VertexInput(const PipelineKey& key) {
   const uint32_t slots = key.slots.interpolated();
   add(kPositionBinding, 0, 1, vec4, kVec4Bytes);
   add(kSlotBinding, 1, slots, vec4, kVec4Bytes);
-  // The point size's location stays free without points.
-  const uint32_t first_extra = 1 + slots + (key.draws_points() ? 0 : 1);
-  add(kExtraBinding, first_extra, extra_count(key), VK_FORMAT_R32_SFLOAT, sizeof(float));
+  add(kPointSizeBinding, 1 + slots, 1, VK_FORMAT_R32_SFLOAT, sizeof(float));
+  add(kDistanceBinding, 2 + slots, key.clip_distances + key.cull_distances, VK_FORMAT_R32_SFLOAT, sizeof(float));
 }
 
 void VertexInput::add(uint32_t binding, uint32_t location, uint32_t count, VkFormat format, uint32_t bytes_each) {
@@ -111,10 +110,11 @@ Rasterization::Rasterization(const PipelineKey& key) {
 }
 
 // Hits add up; the other attachments keep the last fragment that landed.
-std::vector<VkPipelineColorBlendAttachmentState> describe_blending(uint32_t slots) {
+std::vector<VkPipelineColorBlendAttachmentState> describe_blending(uint32_t outputs) {
   const VkColorComponentFlags all =
       VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT | VK_COLOR_COMPONENT_B_BIT | VK_COLOR_COMPONENT_A_BIT;
-  std::vector<VkPipelineColorBlendAttachmentState> attachments(kFirstSlotAttachment + slots, {.colorWriteMask = all});
+  std::vector<VkPipelineColorBlendAttachmentState> attachments(kFirstSlotAttachment + outputs,
+                                                               {.colorWriteMask = all});
   attachments[0] = {.blendEnable = VK_TRUE,
                     .srcColorBlendFactor = VK_BLEND_FACTOR_ONE,
                     .dstColorBlendFactor = VK_BLEND_FACTOR_ONE,
@@ -126,18 +126,14 @@ std::vector<VkPipelineColorBlendAttachmentState> describe_blending(uint32_t slot
   return attachments;
 }
 
-std::vector<VkFormat> color_formats(uint32_t slots) {
-  std::vector<VkFormat> formats(kFirstSlotAttachment + slots, kSlotFormat);
+std::vector<VkFormat> color_formats(uint32_t outputs) {
+  std::vector<VkFormat> formats(kFirstSlotAttachment + outputs, kSlotFormat);
   formats[0] = kHitsFormat;
   formats[1] = kOwnerFormat;
   return formats;
 }
 
 }  // namespace
-
-uint32_t extra_count(const PipelineKey& key) {
-  return (key.draws_points() ? 1 : 0) + key.clip_distances + key.cull_distances;
-}
 
 Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layout, const PipelineKey& key,
                                           std::span<const VkDynamicState> dynamic, VkShaderModule vertex,
@@ -170,7 +166,7 @@ Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layo
       .pSampleMask = &key.sample_mask};
   const VkPipelineDepthStencilStateCreateInfo depth{.sType =
                                                         VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
-  const auto blending = describe_blending(key.slots.total());
+  const auto blending = describe_blending(key.outputs);
   const VkPipelineColorBlendStateCreateInfo blend{.sType = VK_STRUCTURE_TYPE_PIPELINE_COLOR_BLEND_STATE_CREATE_INFO,
                                                   .attachmentCount = static_cast<uint32_t>(blending.size()),
                                                   .pAttachments = blending.data()};
@@ -179,7 +175,7 @@ Result<Pipeline> create_graphics_pipeline(VkDevice device, VkPipelineLayout layo
   const VkPipelineDynamicStateCreateInfo dynamic_info{.sType = VK_STRUCTURE_TYPE_PIPELINE_DYNAMIC_STATE_CREATE_INFO,
                                                       .dynamicStateCount = static_cast<uint32_t>(states.size()),
                                                       .pDynamicStates = states.data()};
-  const std::vector<VkFormat> formats = color_formats(key.slots.total());
+  const std::vector<VkFormat> formats = color_formats(key.outputs);
   const VkPipelineRenderingCreateInfo rendering{.sType = VK_STRUCTURE_TYPE_PIPELINE_RENDERING_CREATE_INFO,
                                                 .colorAttachmentCount = static_cast<uint32_t>(formats.size()),
                                                 .pColorAttachmentFormats = formats.data(),

@@ -9,16 +9,13 @@
 
 namespace fillrule::vulkan {
 
-// Vertex buffer bindings: positions, slots, and floats beside them (point size, clip and cull distances). The strides
-// are dynamic.
+// Vertex buffer bindings: positions, slots, point sizes, and user clip and cull distances. The strides are dynamic.
 inline constexpr uint32_t kPositionBinding = 0;
 inline constexpr uint32_t kSlotBinding = 1;
-inline constexpr uint32_t kExtraBinding = 2;
-inline constexpr uint32_t kBindings = 3;
+inline constexpr uint32_t kPointSizeBinding = 2;
+inline constexpr uint32_t kDistanceBinding = 3;
+inline constexpr uint32_t kBindings = 4;
 inline constexpr uint32_t kVec4Bytes = 16;
-
-// The floats of kExtraBinding for each vertex.
-uint32_t extra_count(const PipelineKey& key);
 
 // The key's needs must be among the device's features. `dynamic` is what draws set besides the state that is dynamic
 // on every device.

@@ -19,8 +19,8 @@ uint32_t bytes_of(VkIndexType type) {
 uint64_t upload_bytes(const Draw& draw, uint32_t slots, bool use_primitive_id) {
   if (primitive_count(draw) == 0) return 0;
   const bool indexed = draw.indices && use_primitive_id;
-  const uint64_t vertex_bytes =
-      uint64_t{kVec4Bytes} * (1 + slots) + sizeof(float) * extra_count(pipeline_key({}, draw, {}));
+  const uint64_t floats = 1 + draw.clip_distance_count + draw.cull_distance_count;  // beside position and slots
+  const uint64_t vertex_bytes = uint64_t{kVec4Bytes} * (1 + slots) + sizeof(float) * floats;
   const uint64_t index_bytes = indexed ? draw.indices->size() * bytes_of(draw.index_type) : 0;
   return aligned(max_vertices(draw, use_primitive_id) * vertex_bytes, kUploadAlignment) +
          aligned(index_bytes, kUploadAlignment);
@@ -41,7 +41,7 @@ TargetKey target_key(const Case& drawn, const SlotRange& slots) {
           .height = drawn.target.height,
           .depth_format = drawn.target.depth_format,
           .samples = drawn.target.samples,
-          .slots = slots.counts.total()};
+          .slots = slots.outputs};
 }
 
 uint64_t attachment_offset(const TargetKey& target, uint32_t index) {
@@ -51,9 +51,9 @@ uint64_t attachment_offset(const TargetKey& target, uint32_t index) {
   return offset;
 }
 
-CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id) {
+CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id, bool draws_color) {
   CaseNeeds needs{.packing = pack(drawn.varyings)};
-  needs.passes = split_into_passes(needs.packing.counts, slots_per_pass);
+  needs.passes = split_into_passes(needs.packing.counts, slots_per_pass, draws_color);
   for (const Draw& draw : drawn.draws) {
     needs.upload_bytes += upload_bytes(draw, needs.packing.counts.interpolated(), use_primitive_id);
   }

@@ -22,13 +22,14 @@ struct UploadedDraw {
   uint32_t index = 0;  // of the draw in its case
   uint64_t positions_offset = 0;
   uint64_t slots_offset = 0;
-  uint64_t extras_offset = 0;
+  uint64_t point_sizes_offset = 0;
+  uint64_t distances_offset = 0;
   uint64_t indices_offset = 0;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   bool indexed = false;
   ElementRun run;  // of the vertices, or of the indices
+  bool draws_points = false;
   bool draws_lines = false;
-  uint32_t extras = 0;  // floats of a vertex beside position and slots
   Numbering numbering;
 };
 
@@ -69,7 +70,8 @@ constexpr uint64_t aligned(uint64_t bytes, uint64_t alignment) {
   return (bytes + alignment - 1) / alignment * alignment;
 }
 
-CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id);
+// `use_primitive_id` as PipelineCache has it, `draws_color` as in Program.
+CaseNeeds needs_of(const Case& drawn, uint32_t slots_per_pass, bool use_primitive_id, bool draws_color);
 TargetKey target_key(const Case& drawn, const SlotRange& slots);
 
 // Writes the vertices and indices of the job's draws; those without a complete primitive are left out.

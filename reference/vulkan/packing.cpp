@@ -46,12 +46,12 @@ Packing pack(const std::vector<Varying>& varyings) {
   return packing;
 }
 
-std::vector<SlotRange> split_into_passes(const SlotCounts& counts, uint32_t slots_per_pass) {
+std::vector<SlotRange> split_into_passes(const SlotCounts& counts, uint32_t slots_per_pass, bool draws_color) {
   std::vector<SlotRange> passes;
   uint32_t first = 0;
   do {
     const uint32_t count = std::min(slots_per_pass, counts.total() - first);
-    passes.push_back({.first = first});
+    passes.push_back({.first = first, .outputs = draws_color ? std::min(count, 1U) : count});
     uint32_t begin = 0;  // of the kind's slots
     for (size_t kind = 0; kind < kSlotKindCount; ++kind) {
       passes.back().counts.of[kind] = overlap(first, count, begin, begin + counts.of[kind]);

@@ -44,6 +44,7 @@ struct SlotCounts {
 struct SlotRange {
   uint32_t first = 0;
   SlotCounts counts;
+  uint32_t outputs = 0;  // of the fragment stage, a vec4 each: all of the slots, or a colour
 };
 
 // Where a component is found.
@@ -63,6 +64,7 @@ struct Packing {
 Packing pack(const std::vector<Varying>& varyings);
 
 // The passes that a case of `counts` needs, at most `slots_per_pass` slots each; one pass where there are no slots.
-std::vector<SlotRange> split_into_passes(const SlotCounts& counts, uint32_t slots_per_pass);
+// `draws_color` as in Program.
+std::vector<SlotRange> split_into_passes(const SlotCounts& counts, uint32_t slots_per_pass, bool draws_color = false);
 
 }  // namespace fillrule::vulkan

@@ -79,10 +79,9 @@ Result<PipelineCache> PipelineCache::create(const Device& device, Program progra
 
 Result<ShaderModule> PipelineCache::compile(VkShaderStageFlagBits stage, const PipelineKey& key) const {
   const std::string defines = fmt::format(
-      "{}#define POINTS {}\n#define NUM_CLIP_DISTANCES {}\n#define NUM_CULL_DISTANCES {}\n#define PRIMITIVE_ID {}\n"
+      "{}#define NUM_CLIP_DISTANCES {}\n#define NUM_CULL_DISTANCES {}\n#define PRIMITIVE_ID {}\n"
       "#define VARIANT {}\n",
-      define_slots(key.slots), key.draws_points() ? 1 : 0, key.clip_distances, key.cull_distances,
-      use_primitive_id_ ? 1 : 0, key.variant);
+      define_slots(key.slots), key.clip_distances, key.cull_distances, use_primitive_id_ ? 1 : 0, key.variant);
   const bool is_vertex = stage == VK_SHADER_STAGE_VERTEX_BIT;
   return create_shader(device_->get(), stage, is_vertex ? program_.vertex_glsl : program_.fragment_glsl, defines);
 }

@@ -28,6 +28,7 @@ class PipelineCache {
 
   [[nodiscard]] VkPipelineLayout layout() const { return layout_.get(); }
   [[nodiscard]] bool uses_primitive_id() const { return use_primitive_id_; }
+  [[nodiscard]] bool draws_color() const { return program_.draws_color; }
   // What a draw sets by itself, besides the state that is dynamic on every device.
   [[nodiscard]] const DynamicState& dynamic_state() const { return dynamic_state_; }
   Result<VkPipeline> find_or_create(const PipelineKey& wanted);

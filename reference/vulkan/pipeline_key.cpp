@@ -32,9 +32,10 @@ bool has_sample_shading(const Case& drawn) {
                              [](const Varying& varying) { return varying.sampling == Sampling::kSample; });
 }
 
-PipelineKey pipeline_key(const Case& drawn, const Draw& draw, const SlotCounts& slots) {
+PipelineKey pipeline_key(const Case& drawn, const Draw& draw, const SlotRange& slots) {
   const RasterState& state = draw.state;
-  PipelineKey key{.slots = slots,
+  PipelineKey key{.slots = slots.counts,
+                  .outputs = slots.outputs,
                   .topology_class = class_of(draw.topology),
                   .provoking_vertex = state.provoking_vertex,
                   .depth_clamp = state.depth_clamp,

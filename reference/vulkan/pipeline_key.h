@@ -12,7 +12,8 @@
 namespace fillrule::vulkan {
 
 struct PipelineKey {
-  SlotCounts slots;  // of the pass
+  SlotCounts slots;      // of the pass
+  uint32_t outputs = 0;  // as in SlotRange
   // Any topology of the class that is drawn: triangle list stands for strip and fan too.
   VkPrimitiveTopology topology_class = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
   VkPolygonMode polygon_mode = VK_POLYGON_MODE_FILL;
@@ -39,7 +40,7 @@ struct PipelineKey {
 // Whether the fragment stage runs for each sample (Sampling::kSample).
 bool has_sample_shading(const Case& drawn);
 
-// Of a draw of the case, in a pass that writes `slots`.
-PipelineKey pipeline_key(const Case& drawn, const Draw& draw, const SlotCounts& slots);
+// Of a draw of the case, in a pass over `slots`.
+PipelineKey pipeline_key(const Case& drawn, const Draw& draw, const SlotRange& slots);
 
 }  // namespace fillrule::vulkan

@@ -86,7 +86,9 @@ Planes read_back(const CaseJob& job, std::span<const std::byte> buffer) {
   for (const ComponentPlace& place : job.needs.packing.components) {
     size_t pass = 0;
     while (place.slot >= job.passes[pass].slots.first + job.passes[pass].slots.counts.total()) ++pass;
-    planes.varyings.push_back(copy_lane(job.passes[pass], place, buffer));
+    const Pass& drawn = job.passes[pass];
+    if (place.slot - drawn.slots.first >= drawn.slots.outputs) continue;
+    planes.varyings.push_back(copy_lane(drawn, place, buffer));
   }
   return planes;
 }

@@ -137,16 +137,19 @@ void set_state(VkCommandBuffer commands, const UploadedDraw& uploaded) {
 
 void bind_vertices(VkCommandBuffer commands, VkBuffer upload, const UploadedDraw& uploaded, const SlotRange& slots,
                    uint32_t vertex_slots) {
-  const std::array buffers = {upload, upload, upload};
+  const std::array buffers = {upload, upload, upload, upload};
   // Bindings that the pipeline does not read begin with the positions, since an offset must lie in the buffer.
   std::array<VkDeviceSize, kBindings> offsets{};
   offsets.fill(uploaded.positions_offset);
   if (slots.counts.interpolated() > 0) {
     offsets[kSlotBinding] = uploaded.slots_offset + VkDeviceSize{slots.first} * kVec4Bytes;
   }
-  if (uploaded.extras > 0) offsets[kExtraBinding] = uploaded.extras_offset;
+  offsets[kPointSizeBinding] = uploaded.point_sizes_offset;
+  const uint32_t distances = uploaded.draw->clip_distance_count + uploaded.draw->cull_distance_count;
+  if (distances > 0) offsets[kDistanceBinding] = uploaded.distances_offset;
   const std::array<VkDeviceSize, kBindings> strides = {kVec4Bytes, VkDeviceSize{vertex_slots} * kVec4Bytes,
-                                                       VkDeviceSize{uploaded.extras} * sizeof(float)};
+                                                       uploaded.draws_points ? sizeof(float) : 0,
+                                                       VkDeviceSize{distances} * sizeof(float)};
   vkCmdBindVertexBuffers2(commands, kPositionBinding, kBindings, buffers.data(), offsets.data(), nullptr,
                           strides.data());
 }
@@ -175,7 +178,7 @@ void record_pass(VkCommandBuffer commands, const PipelineCache& pipelines, VkBuf
                               &job.resource_sets[uploaded.index], 0, nullptr);
     }
     set_state(commands, uploaded);
-    pipelines.dynamic_state().set(commands, pipeline_key(*job.drawn, *uploaded.draw, pass.slots.counts));
+    pipelines.dynamic_state().set(commands, pipeline_key(*job.drawn, *uploaded.draw, pass.slots));
     bind_vertices(commands, upload, uploaded, pass.slots, job.needs.packing.counts.interpolated());
     record_draw(commands, pipelines.layout(), upload, uploaded);
   }

@@ -55,21 +55,22 @@ Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver
 //   INTERPOLATED(S)     S(i, qualifiers) for each vec4 slot i that the vertices fill, as in S(0, centroid smooth)
 //   NUM_INTERPOLATED    how many there are
 //   FRAG_COORDS(S), POINT_COORDS(S)   S(i) for each slot i that gl_FragCoord or gl_PointCoord (twice) fills
-//   POINTS              1 if points are drawn, so that the vertex stage must write gl_PointSize
 //   NUM_CLIP_DISTANCES, NUM_CULL_DISTANCES
 //   PRIMITIVE_ID        1 if the fragment stage may read gl_PrimitiveID
 //   VARIANT             of the draw's resources; 0 without
 //
-// Vertex inputs: the position at location 0, the slots from location 1, the point size (float) behind them, then clip
-// and cull distances (float each). Fragment outputs: a hit (float) at location 0, the primitive's number + 1 with the
-// facing in the top bit (uint) at location 1, then the slots. Push constants: uint first_primitive,
-// vertices_per_primitive, first_provoking_vertex.
+// Vertex inputs: the position at location 0, the slots from location 1, the point size (float) behind them, which the
+// stage writes whatever is drawn, then clip and cull distances (float each). Fragment outputs: a hit (float) at
+// location 0, the primitive's number + 1 with the facing in the top bit (uint) at location 1, then the slots, or a
+// colour alone. Push constants: uint first_primitive, vertices_per_primitive, first_provoking_vertex.
 //
 // A program with uniforms finds a storage block (readonly, std140) of that size at set 0, binding 0, and a sampler2D
 // at binding 1.
 struct Program {
   std::string vertex_glsl;
   std::string fragment_glsl;
+  // The fragment stage writes one vec4 instead of every slot: what is read back are the components of the first slot.
+  bool draws_color = false;
   uint32_t uniform_bytes = 0;  // 0: the program reads nothing beside its vertices
 };
 

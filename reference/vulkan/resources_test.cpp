@@ -107,6 +107,39 @@ TEST(Resources, ChooseTheProgramsVariantForEachDraw) {
   expect_no_messages(factor_reference());
 }
 
+TEST(Resources, MakeAColorThatIsReadBackInPlaceOfTheSlots) {
+  Options options = validated_options();
+  options.program = factor_program();
+  options.program.draws_color = true;
+  options.program.fragment_glsl = R"(#version 450
+layout(set = 0, binding = 0, std140) readonly buffer Factor { vec4 factor; };
+layout(set = 0, binding = 1) uniform sampler2D image;
+layout(location = 0) out float hits;
+layout(location = 1) out uint owner;
+layout(location = 0) in vec4 in_0;
+layout(location = 1) in vec4 in_1;
+layout(location = 2) out vec4 color;
+void main() {
+  hits = 1.0;
+  owner = 1u;
+  color = factor * (in_0 + in_1.xyxy);
+}
+)";
+  Reference reference = create_or_throw(options);
+  for (const VkSampleCountFlagBits samples : {VK_SAMPLE_COUNT_1_BIT, VK_SAMPLE_COUNT_4_BIT}) {
+    Case one = empty_case(4, {{.name = "a", .components = 3}, {.name = "b", .components = 3}});
+    one.target.samples = samples;
+    std::vector<float> varyings;
+    for (int i = 0; i < 3; ++i) varyings.insert(varyings.end(), {1, 2, 3, 4, 50, 60});
+    one.draws.push_back(draw_of(one, {at(4, 0, 0), at(4, 8, 0), at(4, 0, 8)}, varyings));
+    const Result<Planes> planes = reference.draw(one, std::array{resources_with(kTwice)});
+    ASSERT_TRUE(planes) << to_string(planes.error());
+    EXPECT_THAT(planes->hits, Each(1U));
+    EXPECT_THAT(planes->varyings, ElementsAre(Each(102.0F), Each(124.0F), Each(106.0F), Each(128.0F)));
+  }
+  expect_no_messages(reference);
+}
+
 TEST(Resources, ChangeBetweenDrawings) {
   for (int round = 0; round < 3; ++round) {
     const auto texture = two_texels();

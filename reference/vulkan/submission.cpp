@@ -38,7 +38,8 @@ Result<Submitter> Submitter::create(const Device& device, PipelineCache& pipelin
 
 Result<CaseNeeds> Submitter::needs(const Case& drawn) const {
   if (auto checked = check_case(device_->info(), drawn); !checked) return tl::unexpected(checked.error());
-  CaseNeeds needs = needs_of(drawn, device_->slots_per_pass(), pipelines_->uses_primitive_id());
+  CaseNeeds needs =
+      needs_of(drawn, device_->slots_per_pass(), pipelines_->uses_primitive_id(), pipelines_->draws_color());
   if (needs.device_bytes <= bytes_in_flight_) return needs;
   const uint64_t buffer_bytes = std::max(needs.upload_bytes, needs.readback_bytes);
   const uint64_t available = device_->available_bytes();
@@ -85,7 +86,7 @@ Result<void> Submitter::prepare(CaseJob& job) {
     if (!target) return tl::unexpected(target.error());
     job.passes.push_back({.slots = slots, .target = std::move(*target)});
     for (size_t i = 0; i < job.drawn->draws.size(); ++i) {
-      PipelineKey pipeline_of_draw = pipeline_key(*job.drawn, job.drawn->draws[i], slots.counts);
+      PipelineKey pipeline_of_draw = pipeline_key(*job.drawn, job.drawn->draws[i], slots);
       if (!job.variants.empty()) pipeline_of_draw.variant = job.variants[i];
       const Result<VkPipeline> pipeline = pipelines_->find_or_create(pipeline_of_draw);
       if (!pipeline) return tl::unexpected(pipeline.error());

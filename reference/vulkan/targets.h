@@ -16,7 +16,7 @@ struct TargetKey {
   uint32_t height = 0;                           // pixels
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;  // VK_FORMAT_UNDEFINED: no depth attachment
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
-  uint32_t slots = 0;
+  uint32_t slots = 0;  // or a colour, which is like one
   // NOLINTNEXTLINE(modernize-use-nullptr): a false alarm at the comparison with zero
   auto operator<=>(const TargetKey&) const = default;
 };

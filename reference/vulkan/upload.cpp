@@ -55,9 +55,14 @@ void scatter(std::span<const float> components, const Packing& packing, std::spa
   }
 }
 
+// One for all vertices where no points are drawn and nobody reads it.
+void write_point_sizes(const Draw& draw, bool draws_points, const std::vector<uint32_t>& vertices, Writer& writer) {
+  if (!draws_points) return writer.write_one(1.0F);
+  for (const uint32_t vertex : vertices) writer.write_one(draw.point_sizes.empty() ? 1.0F : draw.point_sizes[vertex]);
+}
+
 // In the order of the shader's inputs.
-void write_extras(const Draw& draw, bool draws_points, uint32_t vertex, Writer& writer) {
-  if (draws_points) writer.write_one(draw.point_sizes.empty() ? 1.0F : draw.point_sizes[vertex]);
+void write_distances(const Draw& draw, uint32_t vertex, Writer& writer) {
   const auto distances = [&](const std::vector<float>& values, uint32_t count) {
     writer.write(std::span<const float>(values).subspan(size_t{vertex} * count, count));
   };
@@ -85,8 +90,8 @@ UploadedDraw upload_draw(const Draw& draw, const Packing& packing, const Element
   UploadedDraw uploaded{.draw = &draw,
                         .topology = elements.topology,
                         .indexed = elements.indexed,
-                        .draws_lines = key.draws_lines(),
-                        .extras = extra_count(key)};
+                        .draws_points = key.draws_points(),
+                        .draws_lines = key.draws_lines()};
   uploaded.positions_offset = writer.offset();
   for (const uint32_t vertex : elements.vertices) writer.write(std::span<const float>(draw.positions[vertex]));
   uploaded.slots_offset = writer.offset();
@@ -96,8 +101,10 @@ UploadedDraw upload_draw(const Draw& draw, const Packing& packing, const Element
     scatter(std::span(draw.varyings).subspan(vertex * components, components), packing, slots);
     writer.write(std::span<const float>(slots));
   }
-  uploaded.extras_offset = writer.offset();
-  for (const uint32_t vertex : elements.vertices) write_extras(draw, key.draws_points(), vertex, writer);
+  uploaded.point_sizes_offset = writer.offset();
+  write_point_sizes(draw, uploaded.draws_points, elements.vertices, writer);
+  uploaded.distances_offset = writer.offset();
+  for (const uint32_t vertex : elements.vertices) write_distances(draw, vertex, writer);
   writer.align();
   uploaded.indices_offset = writer.offset();
   if (elements.indexed) write_indices(draw, writer);
