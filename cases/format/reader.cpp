@@ -129,18 +129,23 @@ CaseFile parse(std::string_view text, const std::string& file_label, const std::
   }
 }
 
-CaseFile read_file(const std::string& path, const std::string& name) {
+Result<std::string> read_text(const std::string& path) {
   errno = 0;
   std::ifstream stream(path, std::ios::binary);
   // A folder opens, but does not read.
   if (stream) stream.peek();
   if (!stream && !stream.eof()) {
     const std::string reason = std::generic_category().message(errno == 0 ? EIO : errno);
-    return CaseFile{.errors = {Error{.file = path, .what = "cannot be read: " + reason}}};
+    return tl::unexpected(Error{.file = path, .what = "cannot be read: " + reason});
   }
   stream.clear();
-  const std::string text{std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
-  return parse(text, path, name);
+  return std::string(std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>());
+}
+
+CaseFile read_file(const std::string& path, const std::string& name) {
+  const Result<std::string> text = read_text(path);
+  if (!text) return CaseFile{.errors = {text.error()}};
+  return parse(*text, path, name);
 }
 
 }  // namespace fillrule::format

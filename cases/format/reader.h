@@ -19,6 +19,9 @@ struct CaseFile {
   std::vector<Error> errors;
 };
 
+// The whole file. Fails, naming it and the reason, for what cannot be read.
+Result<std::string> read_text(const std::string& path);
+
 // `name` is the cases' name before the sweep's suffix: "clipping/near_plane".
 CaseFile read_file(const std::string& path, const std::string& name);
 

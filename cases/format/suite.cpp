@@ -56,8 +56,13 @@ class SuiteLoader {
     for (size_t i = 0; i < selectors.size(); ++i) select_one(i);
   }
 
-  Suite load() {
-    for (const Wanted& wanted : wanted_) load_file(wanted);
+  Suite load(const Preview& preview) {
+    std::vector<Result<std::string>> texts;
+    for (const Wanted& wanted : wanted_) {
+      texts.push_back(read_text(wanted.file.path));
+      if (preview && texts.back()) preview(*texts.back());
+    }
+    for (size_t i = 0; i < wanted_.size(); ++i) load_file(wanted_[i], texts[i]);
     for (size_t i = 0; i < selectors_.size(); ++i) {
       if (!matched_[i]) report_unmatched(selectors_[i]);
     }
@@ -137,8 +142,8 @@ class SuiteLoader {
     return wanted_[place->second];
   }
 
-  void load_file(const Wanted& wanted) {
-    CaseFile read = read_file(wanted.file.path, wanted.file.name);
+  void load_file(const Wanted& wanted, const Result<std::string>& text) {
+    CaseFile read = text ? parse(*text, wanted.file.path, wanted.file.name) : CaseFile{.errors = {text.error()}};
     const bool bad = !read.errors.empty();
     suite_.errors.insert(suite_.errors.end(), read.errors.begin(), read.errors.end());
     // Nothing is known of the cases of a bad file, so no selector is blamed for it.
@@ -197,10 +202,10 @@ class SuiteLoader {
 
 }  // namespace
 
-Suite load_suite(const std::string& root, std::span<const std::string> selectors) {
+Suite load_suite(const std::string& root, std::span<const std::string> selectors, const Preview& preview) {
   SuiteLoader loader(root);
   loader.select(selectors);
-  return loader.load();
+  return loader.load(preview);
 }
 
 }  // namespace fillrule::format

@@ -1,8 +1,10 @@
 // The suite: which case files there are, and the cases that a command line names.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "cases/model/case.h"
@@ -16,6 +18,9 @@ struct Suite {
   std::vector<Error> errors;
 };
 
+// Shown the text of each file, before any of them is made into cases.
+using Preview = std::function<void(std::string_view text)>;
+
 // The cases that `selectors` name, each once, in the order of the selectors and by name within each; all below
 // `root` if there are none. A selector is
 //   - a file or a folder, looked up from the current folder, then from `root`. Its cases are named by their path
@@ -23,6 +28,6 @@ struct Suite {
 //   - a case name with the wildcards of glob.h, with the sweep's suffix or without: "clipping/*",
 //     "clipping/near_plane[angle=30]", "coverage/tie".
 // Only files whose cases can match are read. A selector that finds nothing is an error.
-Suite load_suite(const std::string& root, std::span<const std::string> selectors);
+Suite load_suite(const std::string& root, std::span<const std::string> selectors, const Preview& preview = {});
 
 }  // namespace fillrule::format

@@ -86,6 +86,14 @@ TEST_F(SuiteTest, OnlyFilesThatCanMatchAreRead) {
   EXPECT_EQ(errors(), "");
 }
 
+TEST_F(SuiteTest, ShowsEachFilesTextThatCanBeRead) {
+  write("suite/clipping/bad.toml", "sweep = 3\n");
+  std::vector<std::string> shown;
+  const std::vector<std::string> selectors{"clipping/bad", at("suite/no_file.toml"), "coverage/tie"};
+  load_suite(at("suite"), selectors, [&shown](std::string_view text) { shown.emplace_back(text); });
+  EXPECT_THAT(shown, ElementsAre(kHead + "sweep = 3\n", kHead + "sweep.a = [1, 2]\n" + kDraw));
+}
+
 TEST_F(SuiteTest, FilesAndFolders) {
   EXPECT_THAT(names({at("suite/coverage/tie.toml")}), ElementsAre("coverage/tie[a=1]", "coverage/tie[a=2]"));
   EXPECT_THAT(names({at("suite/clipping/deep")}), ElementsAre("clipping/deep/far"));

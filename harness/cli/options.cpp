@@ -116,8 +116,8 @@ void add_suite_options(CLI::App& command, SuiteOptions& options) {
   command.add_option("--suite", options.root, "the folder that case names are relative to")->type_name("DIR");
 }
 
-format::Suite load(const SuiteOptions& options) {
-  format::Suite suite = scene::load_suite(options.root, options.selectors);
+format::Suite load(const SuiteOptions& options, const format::Preview& preview) {
+  format::Suite suite = scene::load_suite(options.root, options.selectors, preview);
   for (const Error& error : suite.errors) print_error(error);
   return suite;
 }

@@ -36,7 +36,7 @@ struct SuiteOptions {
 void add_suite_options(CLI::App& command, SuiteOptions& options);
 
 // The cases that were asked for. Errors are printed, and the other cases stay.
-format::Suite load(const SuiteOptions& options);
+format::Suite load(const SuiteOptions& options, const format::Preview& preview = {});
 
 // Who is judged against whom, and how strictly.
 struct PartyOptions {

@@ -6,6 +6,7 @@
 #include <memory>
 #include <set>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "harness/cli/command.h"
@@ -14,6 +15,7 @@
 #include "harness/cli/output.h"
 #include "harness/cli/shard.h"
 #include "harness/cli/terminal.h"
+#include "harness/images/images.h"
 #include "harness/report/failures.h"
 #include "harness/run/counted.h"
 #include "harness/run/deviations.h"
@@ -160,13 +162,19 @@ void tell_count(const std::vector<Error>& errors) {
   fmt::print(stderr, "{} in case files or selectors\n", run::counted(errors.size(), "error"));
 }
 
+// What reads images takes half a second to load, in which no driver can compile a shader. Beside the reading of case
+// files it disturbs nobody.
+void load_image_files_early(std::string_view case_file) {
+  if (case_file.find("texture") != std::string_view::npos) images::load_ahead();
+}
+
 int run_cases(const RunCommandOptions& options) {
   Result<run::Shard> shard = choose_shard(options.shard);
   if (!shard) {
     print_error(shard.error());
     return kBadInput;
   }
-  format::Suite suite = load(options.suite);
+  format::Suite suite = load(options.suite, load_image_files_early);
   shard->suite_cases = suite.cases.size();
   suite.cases = run::cases_of(*shard, std::move(suite.cases));
   const std::vector<std::string>& references = options.parties.references;

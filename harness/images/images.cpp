@@ -2,6 +2,8 @@
 
 #include <dlfcn.h>
 
+#include <thread>
+
 #include "harness/images/image_files.h"
 
 namespace fillrule::images {
@@ -26,6 +28,11 @@ const Result<const ImageFiles*>& image_files() {
 }
 
 }  // namespace
+
+void load_ahead() {
+  // Joined when the process ends.
+  static const std::jthread loader([] { image_files(); });
+}
 
 Layout rgb_layout(uint32_t width, uint32_t height) {
   return {.width = width, .height = height, .channels = {"R", "G", "B"}};

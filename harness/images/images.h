@@ -28,6 +28,9 @@ struct Image {
   std::vector<float> values;  // integers are scaled to 0 to 1
 };
 
+// Begins to load that library on a thread of its own, for those who will need it soon.
+void load_ahead();
+
 // The image's first channels, at most `max_channels`. Fails, naming the file, for what is no image or has more than
 // kMaxTargetSize pixels in a row or column.
 Result<Image> read(const std::string& path, uint32_t max_channels = UINT32_MAX);

@@ -31,6 +31,16 @@ TEST(Images, FloatsAreWrittenAndReadBack) {
   }
 }
 
+TEST(Images, AreReadAndWrittenWhileTheLibraryIsLoadedAhead) {
+  load_ahead();
+  load_ahead();
+  const TemporaryFolder folder;
+  ASSERT_TRUE(write(folder.path("a.png"), rgb_layout(1, 1), std::vector<float>{0, 1, 0}));
+  const Result<Image> image = read(folder.path("a.png"));
+  ASSERT_TRUE(image) << to_string(image.error());
+  EXPECT_THAT(image->values, ElementsAre(0, 1, 0));
+}
+
 TEST(Images, BytesAreWrittenAndReadBack) {
   const TemporaryFolder folder;
   const std::vector<uint8_t> rgb{0, 1, 127, 128, 254, 255};

@@ -196,8 +196,9 @@ struct SuiteRunner::State {
     if (second) devices.push_back(std::move(*second));
   }
 
-  // Keeps the images that scenes show in `assets`. Done ahead of their turn, beside what is drawn until then: the
-  // library that reads them takes half a second to load, in which all threads would come to wait for it.
+  // Keeps the images that scenes show in `assets`. Done ahead of their turn, beside what is drawn until then: unless
+  // it is there already (images::load_ahead()), the library that reads them takes half a second to load, in which all
+  // threads would come to wait for it.
   void read_images(std::span<const Case> cases) const {
     for (const Case& test_case : cases) {
       // What is wrong is told when the case is drawn.

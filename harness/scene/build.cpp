@@ -183,8 +183,9 @@ void build_scenes(format::Suite& suite, Assets& assets) {
   });
 }
 
-format::Suite load_suite(const std::string& root, const std::vector<std::string>& selectors) {
-  format::Suite suite = format::load_suite(root, selectors);
+format::Suite load_suite(const std::string& root, const std::vector<std::string>& selectors,
+                         const format::Preview& preview) {
+  format::Suite suite = format::load_suite(root, selectors, preview);
   Assets assets;
   build_scenes(suite, assets);
   return suite;

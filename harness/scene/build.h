@@ -24,7 +24,8 @@ Result<Case> build(const Case& scene_case, Assets& assets);
 void build_scenes(format::Suite& suite, Assets& assets);
 
 // format::load_suite(), with every scene built.
-format::Suite load_suite(const std::string& root, const std::vector<std::string>& selectors);
+format::Suite load_suite(const std::string& root, const std::vector<std::string>& selectors,
+                         const format::Preview& preview = {});
 
 // What a built case's draws are shaded with; with `transforms` the vertex stage applies the matrices (object_case()).
 Result<programs::CaseShading> shading_of(const Case& built, Assets& assets, bool transforms = false);

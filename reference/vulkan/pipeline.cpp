@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string_view>
 #include <utility>
@@ -50,6 +51,16 @@ std::string define_slots(const SlotCounts& slots) {
   return defines + fmt::format("#define NUM_INTERPOLATED {}\n", slots.interpolated());
 }
 
+SlotCounts interpolated(SlotCounts slots) {
+  std::fill(slots.of.begin() + kFirstBuiltIn, slots.of.end(), 0U);
+  return slots;
+}
+
+std::string define_distances(const PipelineKey& key) {
+  return fmt::format("#define NUM_CLIP_DISTANCES {}\n#define NUM_CULL_DISTANCES {}\n", key.clip_distances,
+                     key.cull_distances);
+}
+
 }  // namespace
 
 Result<PipelineCache> PipelineCache::create(const Device& device, Program program, bool use_primitive_id,
@@ -72,29 +83,32 @@ Result<PipelineCache> PipelineCache::create(const Device& device, Program progra
   cache.layout_ = PipelineLayout(device.get(), layout);
 
   for (const VkShaderStageFlagBits stage : {VK_SHADER_STAGE_VERTEX_BIT, VK_SHADER_STAGE_FRAGMENT_BIT}) {
-    if (const auto module = cache.compile(stage, {}); !module) return tl::unexpected(module.error());
+    if (const auto module = cache.find_or_compile(stage, {}); !module) return tl::unexpected(module.error());
   }
   return cache;
 }
 
-Result<ShaderModule> PipelineCache::compile(VkShaderStageFlagBits stage, const PipelineKey& key) const {
-  const std::string defines = fmt::format(
-      "{}#define NUM_CLIP_DISTANCES {}\n#define NUM_CULL_DISTANCES {}\n#define PRIMITIVE_ID {}\n"
-      "#define VARIANT {}\n",
-      define_slots(key.slots), key.clip_distances, key.cull_distances, use_primitive_id_ ? 1 : 0, key.variant);
+Result<VkShaderModule> PipelineCache::find_or_compile(VkShaderStageFlagBits stage, const PipelineKey& key) {
   const bool is_vertex = stage == VK_SHADER_STAGE_VERTEX_BIT;
-  return create_shader(device_->get(), stage, is_vertex ? program_.vertex_glsl : program_.fragment_glsl, defines);
+  const std::string defines =
+      (is_vertex ? define_slots(interpolated(key.slots)) + define_distances(key) : define_slots(key.slots)) +
+      fmt::format("#define PRIMITIVE_ID {}\n#define VARIANT {}\n", use_primitive_id_ ? 1 : 0, key.variant);
+  if (const auto found = modules_.find({stage, defines}); found != modules_.end()) return found->second.get();
+  Result<ShaderModule> module =
+      create_shader(device_->get(), stage, is_vertex ? program_.vertex_glsl : program_.fragment_glsl, defines);
+  if (!module) return tl::unexpected(module.error());
+  return modules_.emplace(std::pair(stage, defines), std::move(*module)).first->second.get();
 }
 
 Result<VkPipeline> PipelineCache::find_or_create(const PipelineKey& wanted) {
   const PipelineKey key = dynamic_state_.without(wanted);
   if (const auto found = pipelines_.find(key); found != pipelines_.end()) return found->second.get();
-  const Result<ShaderModule> vertex = compile(VK_SHADER_STAGE_VERTEX_BIT, key);
+  const Result<VkShaderModule> vertex = find_or_compile(VK_SHADER_STAGE_VERTEX_BIT, key);
   if (!vertex) return tl::unexpected(vertex.error());
-  const Result<ShaderModule> fragment = compile(VK_SHADER_STAGE_FRAGMENT_BIT, key);
+  const Result<VkShaderModule> fragment = find_or_compile(VK_SHADER_STAGE_FRAGMENT_BIT, key);
   if (!fragment) return tl::unexpected(fragment.error());
-  Result<Pipeline> pipeline = create_graphics_pipeline(device_->get(), layout_.get(), key, dynamic_state_.states(),
-                                                       vertex->get(), fragment->get());
+  Result<Pipeline> pipeline =
+      create_graphics_pipeline(device_->get(), layout_.get(), key, dynamic_state_.states(), *vertex, *fragment);
   if (!pipeline) return tl::unexpected(pipeline.error());
   return pipelines_.emplace(key, std::move(*pipeline)).first->second.get();
 }

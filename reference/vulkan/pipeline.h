@@ -3,6 +3,8 @@
 
 #include <cstdint>
 #include <map>
+#include <string>
+#include <utility>
 
 #include "reference/vulkan/device.h"
 #include "reference/vulkan/dynamic_state.h"
@@ -35,13 +37,14 @@ class PipelineCache {
 
  private:
   PipelineCache() = default;
-  [[nodiscard]] Result<ShaderModule> compile(VkShaderStageFlagBits stage, const PipelineKey& key) const;
+  Result<VkShaderModule> find_or_compile(VkShaderStageFlagBits stage, const PipelineKey& key);
 
   const Device* device_ = nullptr;
   Program program_;
   bool use_primitive_id_ = true;
   DynamicState dynamic_state_;
   PipelineLayout layout_;
+  std::map<std::pair<VkShaderStageFlagBits, std::string>, ShaderModule> modules_;  // by stage and macros
   std::map<PipelineKey, Pipeline> pipelines_;
 };
 

@@ -55,7 +55,7 @@ Result<std::vector<DeviceInfo>> list_devices(std::span<const std::string> driver
 //   INTERPOLATED(S)     S(i, qualifiers) for each vec4 slot i that the vertices fill, as in S(0, centroid smooth)
 //   NUM_INTERPOLATED    how many there are
 //   FRAG_COORDS(S), POINT_COORDS(S)   S(i) for each slot i that gl_FragCoord or gl_PointCoord (twice) fills
-//   NUM_CLIP_DISTANCES, NUM_CULL_DISTANCES
+//   NUM_CLIP_DISTANCES, NUM_CULL_DISTANCES   in the vertex stage alone
 //   PRIMITIVE_ID        1 if the fragment stage may read gl_PrimitiveID
 //   VARIANT             of the draw's resources; 0 without
 //
