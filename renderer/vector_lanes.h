@@ -283,9 +283,9 @@ struct VectorLanes {
       const auto lesser = static_cast<Some>(__builtin_ia32_cmpps256_mask(value, load(values), kLess, lanes));
       __builtin_ia32_storeups256_mask(values, value, lesser);
       return lesser;
-    }
+    } else
 #endif
-    if constexpr (!kMasksAreBits) {
+    {
       const Float stored = load(values);
       const Mask is_less = lanes & (value < stored);
       store(is_less ? value : stored, values);
@@ -413,13 +413,13 @@ struct VectorLanes {
  private:
 #ifdef FILLRULE_HAS_LANE_BUILTINS
   // In each 16 bytes of a packed vector four bytes of each value follow those of the last.
-  [[gnu::always_inline]] static auto order_of_packed_bytes() {
+  template <int... kNumbers>
+  [[gnu::always_inline]] static auto order_of_packed_bytes(std::integer_sequence<int, kNumbers...> /*all*/) {
     const typename SimdVector<char, 16>::Type order{0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15};
-    const auto repeated = [&]<int... kNumbers>(std::integer_sequence<int, kNumbers...> /*all*/)
-        __attribute__((always_inline)) {
-      return __builtin_shufflevector(order, order, kNumbers % 16 ...);
-    };
-    return repeated(std::make_integer_sequence<int, kFloatBytes>());
+    return __builtin_shufflevector(order, order, kNumbers % 16 ...);
+  }
+  [[gnu::always_inline]] static auto order_of_packed_bytes() {
+    return order_of_packed_bytes(std::make_integer_sequence<int, kFloatBytes>());
   }
 #endif
   static constexpr uint64_t kEachByte = 0x0101010101010101U;

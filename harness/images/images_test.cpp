@@ -75,6 +75,7 @@ TEST(Images, AreReadByThreadsAtOnce) {
   const std::string path = FILLRULE_SOURCE_DIR "/cases/meshes/odd.png";
   std::vector<size_t> sizes(4);
   std::vector<std::thread> threads;
+  threads.reserve(sizes.size());
   for (size_t& size : sizes) {
     threads.emplace_back([&size, &path] {
       if (const Result<Image> image = read(path); image) size = image->values.size();

@@ -22,7 +22,7 @@ struct UploadedDraw {
   uint32_t index = 0;  // of the draw in its case
   uint64_t positions_offset = 0;
   uint64_t slots_offset = 0;
-  uint64_t point_sizes_offset = 0;
+  uint64_t point_sizes_offset = 0;  // of one for all vertices where no points are drawn
   uint64_t distances_offset = 0;
   uint64_t indices_offset = 0;
   VkPrimitiveTopology topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST;
