@@ -33,6 +33,7 @@ class Writer {
   [[nodiscard]] uint64_t offset() const { return offset_; }
   template <typename T>
   void write(std::span<const T> values) {
+    if (values.empty()) return;  // memcpy() takes no null pointer
     std::memcpy(buffer_.subspan(offset_, values.size_bytes()).data(), values.data(), values.size_bytes());
     offset_ += values.size_bytes();
   }
