@@ -13,6 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 
 // A suite in a temporary folder, and a folder outside of it.
@@ -87,11 +88,13 @@ TEST_F(SuiteTest, OnlyFilesThatCanMatchAreRead) {
 }
 
 TEST_F(SuiteTest, ShowsEachFilesTextThatCanBeRead) {
+  fs::create_symlink(top_ / "nothing", top_ / "suite/clipping/a_link.toml");
   write("suite/clipping/bad.toml", "sweep = 3\n");
   std::vector<std::string> shown;
-  const std::vector<std::string> selectors{"clipping/bad", at("suite/no_file.toml"), "coverage/tie"};
-  load_suite(at("suite"), selectors, [&shown](std::string_view text) { shown.emplace_back(text); });
+  const std::vector<std::string> selectors{"clipping/a_link", "clipping/bad", "coverage/tie"};
+  suite_ = load_suite(at("suite"), selectors, [&shown](std::string_view text) { shown.emplace_back(text); });
   EXPECT_THAT(shown, ElementsAre(kHead + "sweep = 3\n", kHead + "sweep.a = [1, 2]\n" + kDraw));
+  EXPECT_THAT(errors(), HasSubstr("suite/clipping/a_link.toml: cannot be read: No such file"));
 }
 
 TEST_F(SuiteTest, FilesAndFolders) {

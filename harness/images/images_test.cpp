@@ -1,7 +1,9 @@
 #include "harness/images/images.h"
 
+#include <dlfcn.h>
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <fstream>
 #include <thread>
 
@@ -29,6 +31,21 @@ TEST(Images, FloatsAreWrittenAndReadBack) {
     EXPECT_THAT(image->layout.channels, ElementsAre("R", "G", "B"));
     EXPECT_THAT(image->values, testing::Pointwise(FloatNear(name[2] == 'e' ? 0 : kHalfByte), rgb)) << name;
   }
+}
+
+// Says something where no test before has loaded it, as where each runs in a process of its own.
+TEST(Images, LibraryIsLoadedAheadWithoutAnImage) {
+  load_ahead();
+  const auto is_loaded = [] {
+    void* const library = dlopen("libfillrule_image_files.so", RTLD_LAZY | RTLD_NOLOAD);
+    if (library != nullptr) dlclose(library);
+    return library != nullptr;
+  };
+  const auto give_up = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+  while (!is_loaded() && std::chrono::steady_clock::now() < give_up) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  }
+  EXPECT_TRUE(is_loaded());
 }
 
 TEST(Images, AreReadAndWrittenWhileTheLibraryIsLoadedAhead) {

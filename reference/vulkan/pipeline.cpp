@@ -51,7 +51,7 @@ std::string define_slots(const SlotCounts& slots) {
   return defines + fmt::format("#define NUM_INTERPOLATED {}\n", slots.interpolated());
 }
 
-SlotCounts interpolated(SlotCounts slots) {
+SlotCounts without_built_ins(SlotCounts slots) {
   std::fill(slots.of.begin() + kFirstBuiltIn, slots.of.end(), 0U);
   return slots;
 }
@@ -91,7 +91,7 @@ Result<PipelineCache> PipelineCache::create(const Device& device, Program progra
 Result<VkShaderModule> PipelineCache::find_or_compile(VkShaderStageFlagBits stage, const PipelineKey& key) {
   const bool is_vertex = stage == VK_SHADER_STAGE_VERTEX_BIT;
   const std::string defines =
-      (is_vertex ? define_slots(interpolated(key.slots)) + define_distances(key) : define_slots(key.slots)) +
+      (is_vertex ? define_slots(without_built_ins(key.slots)) + define_distances(key) : define_slots(key.slots)) +
       fmt::format("#define PRIMITIVE_ID {}\n#define VARIANT {}\n", use_primitive_id_ ? 1 : 0, key.variant);
   if (const auto found = modules_.find({stage, defines}); found != modules_.end()) return found->second.get();
   Result<ShaderModule> module =
