@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -51,8 +52,10 @@ inline Planes painted(const Case& built, Assets& assets, const Painter& paint) {
 
 // Lavapipe under the validation layers.
 inline const Painter& lavapipe() {
-  static const Painter painter = driver_painter_on_demand({.driver = "lavapipe", .validation = true});
-  return painter;
+  // Never destroyed: the layers' own static objects would be gone by then, and what they keep would not be freed.
+  static const Painter* const painter =
+      std::make_unique<Painter>(driver_painter_on_demand({.driver = "lavapipe", .validation = true})).release();
+  return *painter;
 }
 
 }  // namespace fillrule::scene
