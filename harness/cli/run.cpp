@@ -163,9 +163,13 @@ void tell_count(const std::vector<Error>& errors) {
 }
 
 // What reads images takes half a second to load, in which no driver can compile a shader. Beside the reading of case
-// files it disturbs nobody.
-void load_image_files_early(std::string_view case_file) {
-  if (case_file.find("texture") != std::string_view::npos) images::load_ahead();
+// files it disturbs nobody. It is there when this returns: opening a device changes the environment.
+format::Suite load_with_image_files(const SuiteOptions& options) {
+  std::jthread loader;
+  return load(options, [&](std::string_view case_file) {
+    if (loader.joinable() || case_file.find("texture") == std::string_view::npos) return;
+    loader = images::load_ahead();
+  });
 }
 
 int run_cases(const RunCommandOptions& options) {
@@ -174,7 +178,7 @@ int run_cases(const RunCommandOptions& options) {
     print_error(shard.error());
     return kBadInput;
   }
-  format::Suite suite = load(options.suite, load_image_files_early);
+  format::Suite suite = load_with_image_files(options.suite);
   shard->suite_cases = suite.cases.size();
   suite.cases = run::cases_of(*shard, std::move(suite.cases));
   const std::vector<std::string>& references = options.parties.references;

@@ -2,8 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <thread>
-
 #include "harness/images/image_files.h"
 
 namespace fillrule::images {
@@ -29,9 +27,8 @@ const Result<const ImageFiles*>& image_files() {
 
 }  // namespace
 
-void load_ahead() {
-  // Joined when the process ends.
-  static const std::jthread loader([] { image_files(); });
+std::jthread load_ahead() {
+  return std::jthread([] { image_files(); });
 }
 
 Layout rgb_layout(uint32_t width, uint32_t height) {
