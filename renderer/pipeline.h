@@ -98,8 +98,8 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
     for (const PrimitiveChunk& chunk : batch) {
       cost += chunk.cost();
     }
-    workers.parallel_for(grid.count(), cost, [&](size_t tile) {
-      const auto index = static_cast<uint32_t>(tile);
+    workers.parallel_for(grid.count(), cost, [&](size_t number) {
+      const uint32_t index = grid.in_bands(static_cast<uint32_t>(number), workers.threads());
       const PixelRect pixels = grid.pixels(index);
       const bool is_first = first_chunk == 0;
       // A function for each kind of coverage: one for both would take longer to compile than the two.

@@ -45,8 +45,8 @@ inline void set_anchor(const PixelRect& tile_pixels, ShadedPrimitive& primitive)
 template <Program P>
 [[gnu::always_inline]] inline void prefetch(const P& program, std::span<const ClipPosition> positions_clip,
                                             std::span<const TileEntry> entries, size_t i) {
-  constexpr size_t kFar = 48;
-  constexpr size_t kNear = 24;  // has arrived since it was far
+  constexpr size_t kFar = 16;
+  constexpr size_t kNear = 8;  // has arrived since it was far
   if (i + kFar < entries.size()) {
     const SetupPrimitive* const far = entries[i + kFar].primitive;
     __builtin_prefetch(far);

@@ -17,6 +17,20 @@ PixelRect TileGrid::pixels() const {
   return {tiles_.left * kTileSize, tiles_.top * kTileSize, tiles_.right * kTileSize, tiles_.bottom * kTileSize};
 }
 
+uint32_t TileGrid::in_bands(uint32_t number, uint32_t threads) const {
+  constexpr uint32_t kRows = 2;  // of a band
+  const auto columns = static_cast<uint32_t>(tiles_.width());
+  const auto rows = static_cast<uint32_t>(tiles_.height());
+  const uint32_t rows_of_all = kRows * threads;
+  if (number >= rows / rows_of_all * rows_of_all * columns) {
+    return number;  // below the last bands of all threads, row by row
+  }
+  const uint32_t of_thread = number / threads;
+  const uint32_t band = of_thread / (kRows * columns) * threads + number % threads;
+  const uint32_t in_band = of_thread % (kRows * columns);
+  return (band * kRows + in_band % kRows) * columns + in_band / kRows;
+}
+
 void PrimitiveChunk::clear() {
   count_ = 0;
   polygon_vertices_.clear();
