@@ -1,6 +1,8 @@
 #include "harness/judge/judge.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <optional>
 #include <string>
 
@@ -193,6 +195,12 @@ class CaseJudge {
     verdict.may_samples += possible.in_doubt ? 1 : 0;
     verdict.undefined_samples += possible.undefined ? 1 : 0;
     if (settings_.keep_maps) verdict.oracle[index] = answer_of(possible);
+    const bool is_empty = count_sample && is_empty_anywhere(index);
+    if (is_empty && repeats_empty(index)) {
+      for (size_t p = 0; p < verdict.planes.size(); ++p) count(verdict.planes[p], empty_.verdicts[p], 1);
+      return;
+    }
+    verdicts_.clear();
     for (size_t p = 0; p < verdict.planes.size(); ++p) {
       if (open_planes_[p] == 0) continue;
       PlaneVerdict& plane = verdict.planes[p];
@@ -202,7 +210,8 @@ class CaseJudge {
         other.component = c;
         if (graver(other, sample)) sample = other;
       }
-      ++plane.counts[static_cast<size_t>(sample.verdict)];
+      count(plane, sample.verdict, 1);
+      verdicts_.push_back(sample.verdict);
       if (settings_.keep_maps) plane.map[index] = sample.verdict;
       if (sample.verdict <= Verdict::kPermitted) continue;
       const exact::SamplePlace place = exact::sample_place(case_.target, index);
@@ -212,6 +221,46 @@ class CaseJudge {
       record(plane, sample);
       if (settings_.keep_maps) keep_worst(plane.worst_samples, sample);
     }
+    if (is_empty) keep_empty(index);
+  }
+
+  // Whether nobody shows anything at the sample: then no value depends on the place.
+  [[nodiscard]] bool is_empty_anywhere(size_t index) const {
+    if (settings_.keep_maps || settings_.profile.same_bits) return false;
+    return is_empty_anywhere(candidate_, index) && (!has_reference() || is_empty_anywhere(*reference_, index));
+  }
+  static bool is_empty_anywhere(const JudgedParty& party, size_t index) {
+    const Planes& planes = *party.party.planes;
+    return planes.hits[index] == 0 && planes.owner[index] == kNoOwner && !party.judge.breaks_line_rule(index);
+  }
+
+  // The verdicts of an empty sample hold for others of the same possibilities and values.
+  struct Empty {
+    size_t index = 0;
+    std::array<uint64_t, 2> replays{};  // Replay::number() of the parties; 0: none yet
+    std::vector<Verdict> verdicts;      // plane by plane; none worth a record
+  };
+  [[nodiscard]] std::array<uint64_t, 2> replays() const {
+    const bool differs = has_reference() && reference_->possible != candidate_.possible;
+    return {candidate_.replay.number(), differs ? reference_->replay.number() : 0};
+  }
+  [[nodiscard]] bool repeats_empty(size_t index) const {
+    return replays() == empty_.replays && has_same_values(*candidate_.party.planes, empty_.index, index) &&
+           (!has_reference() || has_same_values(*reference_->party.planes, empty_.index, index));
+  }
+  void keep_empty(size_t index) {
+    if (std::ranges::max(verdicts_) > Verdict::kPermitted) return;
+    empty_.index = index;
+    empty_.replays = replays();
+    empty_.verdicts = verdicts_;
+  }
+  // To the bit, of two samples where nothing is shown.
+  static bool has_same_values(const Planes& planes, size_t a, size_t b) {
+    const auto same = [a, b](const std::vector<float>& plane) {
+      return std::bit_cast<uint32_t>(plane[a]) == std::bit_cast<uint32_t>(plane[b]);
+    };
+    return planes.front_facing[a] == planes.front_facing[b] && (planes.depth.empty() || same(planes.depth)) &&
+           std::ranges::all_of(planes.varyings, same);
   }
 
   // Without the place, which few records need.
@@ -273,6 +322,8 @@ class CaseJudge {
   const Settings& settings_;
   std::vector<uint8_t> open_planes_;
   std::vector<uint32_t> marks_;
+  std::vector<Verdict> verdicts_;  // of the sample that was judged last
+  Empty empty_;
 };
 
 }  // namespace

@@ -143,7 +143,11 @@ std::vector<size_t> differing_sums(const Planes& whole, const Planes& one, const
 class Checker {
  public:
   Checker(const Case& test_case, const CheckedParty& party, const Planes& original)
-      : case_(test_case), party_(party), original_(original), bare_(without_depth_test(without_varyings(case_))) {}
+      : case_(test_case),
+        party_(party),
+        original_(original),
+        drawn_(without_texts(case_)),
+        bare_(without_depth_test(without_varyings(drawn_))) {}
 
   CheckResult run(std::string_view name) {
     if (name == "second_run") return second_run(name);
@@ -242,7 +246,7 @@ class Checker {
       return varying.source == VaryingSource::kFragCoord;
     });
     if (shows_w) return does_not_fit(name, "gl_FragCoord shows w");
-    Case scaled = case_;
+    Case scaled = drawn_;
     if (!scale_clip_space(scaled, kScaleExponent))
       return does_not_fit(name, "scaling leaves the normal float32 numbers");
     return compare(name, scaled, 0, [this](const Planes& planes) -> std::string {
@@ -260,7 +264,7 @@ class Checker {
     // Off-centre and of odd size, so that its sides fall between blocks and tiles.
     const VkRect2D rectangle{.offset = {.x = static_cast<int32_t>(width / 4), .y = static_cast<int32_t>(height / 5)},
                              .extent = {.width = (width / 2) | 1U, .height = (height / 2) | 1U}};
-    return compare(name, with_scissor(case_, rectangle), 0, [&](const Planes& planes) {
+    return compare(name, with_scissor(drawn_, rectangle), 0, [&](const Planes& planes) {
       return differing_crop(original_, rectangle, case_.target.clear_depth, planes);
     });
   }
@@ -268,7 +272,8 @@ class Checker {
   const Case& case_;
   const CheckedParty& party_;
   const Planes& original_;
-  const Case bare_;  // for the checks of coverage alone: without varyings and depth test
+  const Case drawn_;  // what variants are made of
+  const Case bare_;   // for the checks of coverage alone: without varyings and depth test
   std::optional<Result<Planes>> without_depth_test_;
 };
 

@@ -81,11 +81,8 @@ const Possibilities& Replay::at(size_t index) {
   index_ = index;
   expectation_.collect(index, entries_);
   used_rules_ = false;
-  const auto is_certain = [this](const Entry& entry) {
-    return entry.coverage == Coverage::kMust &&
-           !depends_on_depth(case_.draws[expectation_.pieces()[entry.piece].draw]);
-  };
-  const bool same_everywhere = std::ranges::all_of(entries_, is_certain);
+  const bool same_everywhere =
+      std::ranges::all_of(entries_, [this](const Entry& entry) { return same_everywhere_of(entry); });
   if (same_everywhere && has_last_ && entries_ == last_entries_) return possibilities_;
   last_entries_ = entries_;
   has_last_ = same_everywhere;
@@ -112,6 +109,14 @@ const Possibilities& Replay::at(size_t index) {
     }
   }
   return possibilities_;
+}
+
+// Whether what the entry does is the same at all samples that have it and others of the kind: it has no depth that is
+// stored, or any at all, and no rule (resolve_ties(), watertight.h) decides by the place.
+bool Replay::same_everywhere_of(const Entry& entry) const {
+  const Piece& piece = expectation_.pieces()[entry.piece];
+  return piece.shape->undefined() ||
+         (entry.coverage == Coverage::kMust && !depends_on_depth(case_.draws[piece.draw]));
 }
 
 void Replay::replay(size_t begin, size_t end, double x, double y) {

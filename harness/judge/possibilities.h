@@ -76,6 +76,8 @@ class Replay {
 
   // `index` is that of Planes. The result is valid until the next call.
   const Possibilities& at(size_t index);
+  // The number of a replay: where it is the same as for the sample before, so is the result.
+  [[nodiscard]] uint64_t number() const { return asked_; }
   // Whether the rules above decided about the sample asked for last; if not, they make no difference there.
   [[nodiscard]] bool used_rules() const { return used_rules_; }
 
@@ -93,6 +95,7 @@ class Replay {
     exact::DepthRange range;
   };
 
+  [[nodiscard]] bool same_everywhere_of(const exact::Entry& entry) const;
   void resolve_ties(double x, double y);
   // What the entries [begin, end) of the sample do to the outcomes so far.
   void replay(size_t begin, size_t end, double x, double y);

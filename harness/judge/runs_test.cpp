@@ -3,6 +3,7 @@
 // itself.
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <random>
 
 #include "harness/judge/judge.h"
@@ -23,7 +24,7 @@ class Random {
   std::mt19937 engine_;
 };
 
-// One to four draws of two triangles each, one over the other, with depth tests of every kind.
+// One to four draws of two triangles each, one over the other, with depth tests of every kind; some are undefined.
 Case layers(Random& random) {
   Case result{.name = "layers",
               .target = {.width = kSize, .height = kSize},
@@ -44,15 +45,26 @@ Case layers(Random& random) {
     draw.state.depth_write = random.below(3) != 0;
     draw.state.depth_compare = static_cast<VkCompareOp>(random.below(8));
     if (random.below(5) == 0) draw.state.depth_bias = DepthBias{.slope_factor = 1};
+    // What is undefined may be anywhere, so that all of the picture is judged sample by sample.
+    if (random.below(6) == 0) draw.positions[random.below(6)][0] = std::numeric_limits<float>::quiet_NaN();
     result.draws.push_back(draw);
   }
   result.target.clear_depth = random.below(2) == 0 ? 1.0F : 0.5F;
   return result;
 }
 
+// As if nothing had been drawn.
+void clear_at(size_t index, Planes& planes, float clear_depth) {
+  planes.hits[index] = 0;
+  planes.owner[index] = kNoOwner;
+  planes.front_facing[index] = 0;
+  planes.depth[index] = clear_depth;
+  for (std::vector<float>& plane : planes.varyings) plane[index] = 0;
+}
+
 void spoil_somewhere(Planes& planes, float clear_depth, Random& random) {
   const size_t index = random.below(static_cast<uint32_t>(planes.hits.size()));
-  switch (random.below(5)) {
+  switch (random.below(6)) {
     case 0:
       planes.hits[index] = random.below(2) == 0 ? 1 : planes.hits[index] + 1;
       break;
@@ -65,9 +77,32 @@ void spoil_somewhere(Planes& planes, float clear_depth, Random& random) {
     case 3:
       planes.depth[index] = random.below(2) == 0 ? clear_depth : planes.depth[index] + random.between(-0.1F, 0.1F);
       break;
+    case 4:
+      for (size_t i = index; i < std::min(index + 4, planes.hits.size()); ++i) clear_at(i, planes, clear_depth);
+      break;
     default:
       planes.varyings[random.below(3)][index] += 1;
   }
+}
+
+// Under something undefined, samples that show nothing are alike, and none of them goes unrecorded.
+TEST(Runs, OfMissingSamplesAreRecordedWhole) {
+  Case test_case{.name = "under_nan", .target = {.width = kSize, .height = kSize}};
+  Draw square{.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_STRIP,
+              .positions = {{-1, -1, 0.5F, 1}, {1, -1, 0.5F, 1}, {-1, 1, 0.5F, 1}, {1, 1, 0.5F, 1}}};
+  square.state.viewport = {.x = 0, .y = 0, .width = kSize, .height = kSize, .minDepth = 0, .maxDepth = 1};
+  square.state.scissor = {.offset = {}, .extent = {.width = kSize, .height = kSize}};
+  square.state.depth_test = false;
+  test_case.draws = {square, square};
+  test_case.draws[1].positions[0][0] = std::numeric_limits<float>::quiet_NaN();
+  test_case.draws[1].positions.pop_back();
+  Result<Planes> planes = programs::draw_case(test_case, {});
+  ASSERT_TRUE(planes);
+  for (size_t x = 2; x < 6; ++x) clear_at(3 * kSize + x, *planes, test_case.target.clear_depth);
+  const CaseVerdict verdict = judge(test_case, {.planes = &*planes}, nullptr, {});
+  EXPECT_EQ(verdict.undefined_samples, verdict.samples);
+  EXPECT_EQ(verdict.planes[0].candidate_faults(), 4U);
+  EXPECT_EQ(verdict.planes[0].bounds, (Bounds{.min_x = 2, .min_y = 3, .max_x = 5, .max_y = 3}));
 }
 
 TEST(Runs, AreJudgedAsTheirSamplesAre) {
@@ -87,6 +122,7 @@ TEST(Runs, AreJudgedAsTheirSamplesAre) {
     EXPECT_EQ(in_runs.covered_samples, one_by_one.covered_samples);
     for (size_t p = 0; p < in_runs.planes.size(); ++p) {
       EXPECT_EQ(in_runs.planes[p].counts, one_by_one.planes[p].counts) << in_runs.planes[p].name;
+      EXPECT_EQ(in_runs.planes[p].bounds, one_by_one.planes[p].bounds) << in_runs.planes[p].name;
     }
     EXPECT_EQ(in_runs.reference_faults(), 0U);
     const CaseVerdict alone_in_runs = judge(test_case, candidate, nullptr, {});

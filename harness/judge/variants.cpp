@@ -21,7 +21,13 @@ Draw as_triangle_list(const Draw& draw, const std::vector<Varying>& varyings, co
     const auto begin = from.begin() + static_cast<ptrdiff_t>(size_t{vertex} * count);
     to.insert(to.end(), begin, begin + static_cast<ptrdiff_t>(count));
   };
-  for (const exact::AssembledTriangle& triangle : exact::assemble(draw)) {
+  const std::vector<exact::AssembledTriangle> triangles = exact::assemble(draw);
+  const size_t vertices = triangles.size() * order.size();
+  list.positions.reserve(vertices);
+  list.clip_distances.reserve(vertices * draw.clip_distance_count);
+  list.cull_distances.reserve(vertices * draw.cull_distance_count);
+  list.varyings.reserve(vertices * stride);
+  for (const exact::AssembledTriangle& triangle : triangles) {
     const uint32_t provoking = triangle.vertices[triangle.provoking];
     for (const uint32_t corner : order) {
       const uint32_t vertex = triangle.vertices[corner];
@@ -55,6 +61,13 @@ bool scales(float coordinate, float factor) {
 
 }  // namespace
 
+Case without_texts(const Case& test_case) {
+  return {.target = test_case.target,
+          .varyings = test_case.varyings,
+          .draws = test_case.draws,
+          .scene = test_case.scene};
+}
+
 Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& order) {
   Case result = test_case;
   for (Draw& draw : result.draws) {
@@ -72,11 +85,10 @@ Case with_front_faces_flipped(Case test_case) {
   return test_case;
 }
 
-Case without_varyings(const Case& test_case) {
-  Case result = test_case;
-  result.varyings.clear();
-  for (Draw& draw : result.draws) draw.varyings.clear();
-  return result;
+Case without_varyings(Case test_case) {
+  test_case.varyings.clear();
+  for (Draw& draw : test_case.draws) draw.varyings.clear();
+  return test_case;
 }
 
 Case without_depth_test(Case test_case) {
@@ -103,6 +115,7 @@ bool add_cut(Case& test_case, bool other_side) {
     const uint32_t count = draw.clip_distance_count;
     if (count + draw.cull_distance_count == kMaxClipAndCullDistances) return false;
     std::vector<float> distances;
+    distances.reserve(draw.positions.size() * (size_t{count} + 1));
     for (size_t vertex = 0; vertex < draw.positions.size(); ++vertex) {
       const auto& [x, y, z, w] = draw.positions[vertex];
       // Askew, so that few samples are on it, and through the middle of the view volume.

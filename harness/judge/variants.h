@@ -8,6 +8,9 @@
 
 namespace fillrule::judge {
 
+// Without all that its drawing does not depend on: its texts, of which each variant would have copies.
+Case without_texts(const Case& test_case);
+
 // Every draw as a list of triangles without indices. `order` picks each triangle's vertices: {1, 2, 0} rotates them,
 // {0, 2, 1} turns the winding over. Flat varyings keep their value, whichever vertex comes first. Draws of anything
 // but filled triangles are left as they are, here and in with_front_faces_flipped().
@@ -16,7 +19,7 @@ Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& orde
 Case with_front_faces_flipped(Case test_case);
 Case without_depth_test(Case test_case);
 // What is covered by whom is the same, and cheaper to draw.
-Case without_varyings(const Case& test_case);
+Case without_varyings(Case test_case);
 bool tests_depth(const Case& test_case);
 
 // True if every draw is of triangles that are filled.

@@ -57,6 +57,7 @@ struct Bounds {  // inclusive, pixels
   uint32_t min_y = 0;
   uint32_t max_x = 0;
   uint32_t max_y = 0;
+  bool operator==(const Bounds&) const = default;
 };
 
 struct PlaneVerdict {
