@@ -11,9 +11,10 @@
 namespace fillrule::exact {
 namespace {
 
-// Samples are classified in blocks of this many pixels squared, so that only those near a boundary are asked one by
-// one.
+// Samples are classified in blocks of this many pixels squared, and these in quarters down to blocks so small, so that
+// only those near a boundary are asked one by one.
 constexpr int32_t kBlockSize = 8;
+constexpr uint32_t kLeastBlockSize = 2;  // of one sample a pixel; of several, 1
 
 bool culled(const RasterState& state, bool front_facing) {
   return (state.cull_mode & (front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT)) != 0;
@@ -48,6 +49,19 @@ VkRect2D pixels_of(const Piece& piece, const RasterState& state, const Target& t
 }
 
 // What holds all samples of these pixels: their centres, or with several samples all of the pixels.
+// Of which some may have no pixels: those are left out.
+template <typename Visit>
+void for_each_quarter(const VkRect2D& block, const Visit& visit) {
+  const uint32_t width = (block.extent.width + 1) / 2;
+  const uint32_t height = (block.extent.height + 1) / 2;
+  for (uint32_t y = 0; y < block.extent.height; y += height) {
+    for (uint32_t x = 0; x < block.extent.width; x += width) {
+      visit({.offset = {block.offset.x + static_cast<int32_t>(x), block.offset.y + static_cast<int32_t>(y)},
+             .extent = {std::min(width, block.extent.width - x), std::min(height, block.extent.height - y)}});
+    }
+  }
+}
+
 Block block_of(const VkRect2D& pixels, bool centres) {
   const double margin = centres ? 0.5 : 0;
   return {.x = pixels.offset.x + pixels.extent.width / 2.0,
@@ -156,6 +170,11 @@ void Expectation::classify_block(const Case& test_case, const Piece& piece, cons
   const BlockClassification whole =
       piece.shape->classify_block(block_of(block, locations.size() == 1), piece.latitude);
   if (whole.coverage == Coverage::kMustNot) return;
+  const uint32_t least_size = locations.size() == 1 ? kLeastBlockSize : 1;
+  if (whole.coverage == Coverage::kMay && std::max(block.extent.width, block.extent.height) > least_size) {
+    for_each_quarter(block, [&](const VkRect2D& quarter) { classify_block(test_case, piece, quarter, visit); });
+    return;
+  }
   for (uint32_t row = 0; row < block.extent.height; ++row) {
     const uint32_t y = static_cast<uint32_t>(block.offset.y) + row;
     for (uint32_t column = 0; column < block.extent.width; ++column) {
