@@ -4,7 +4,6 @@
 
 #include <array>
 #include <cmath>
-#include <map>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -20,7 +19,11 @@ class AllowedColors {
  public:
   AllowedColors(const Case& built, const programs::CaseShading& shading, const exact::Expectation& expectation,
                 const TransformError& error)
-      : case_(built), shading_(shading), error_(error), expectation_(expectation) {}
+      : case_(built),
+        shading_(shading),
+        error_(error),
+        expectation_(expectation),
+        values_(expectation.pieces().size()) {}
 
   // The bounds that a colour of this owner is in, or else the first ones that it is not in; none where nothing can be
   // said.
@@ -166,7 +169,7 @@ class AllowedColors {
   TransformError error_;
   const exact::Expectation& expectation_;
   std::vector<exact::Entry> entries_;
-  std::map<uint32_t, std::unique_ptr<exact::PieceValues>> values_;
+  std::vector<std::unique_ptr<exact::PieceValues>> values_;  // of each piece that was asked for
   // What was asked for last.
   bool asked_ = false;
   size_t sample_ = 0;

@@ -51,15 +51,17 @@ class LevelBounds {
     const glm::dvec2 size(level.width, level.height);
     const glm::dvec2 centre = range.uv * size;
     const double weights =
-        sampling.filter == VK_FILTER_LINEAR ? std::exp2(-static_cast<double>(precision.sub_texel_bits)) : 0;
+        sampling.filter == VK_FILTER_LINEAR ? std::ldexp(1.0, -static_cast<int>(precision.sub_texel_bits)) : 0;
     const glm::dvec2 error = range.uv_error * size + 0x1p-23 * (glm::abs(centre) + size) + weights;
     low_ = centre - error;
     high_ = centre + error;
   }
 
   [[nodiscard]] ColorBounds bounds() const {
-    const std::vector<Stop> columns = stops(low_.x, high_.x, level_.width, sampling_.wrap_u);
-    const std::vector<Stop> rows = stops(low_.y, high_.y, level_.height, sampling_.wrap_v);
+    static thread_local std::vector<Stop> columns;  // their memory is used again for each fragment
+    static thread_local std::vector<Stop> rows;
+    find_stops(low_.x, high_.x, level_.width, sampling_.wrap_u, columns);
+    find_stops(low_.y, high_.y, level_.height, sampling_.wrap_v, rows);
     if (columns.size() * rows.size() > kManyStops) return whole_level();
     ColorBounds bounds = kNothing;
     for (const Stop& row : rows) {
@@ -81,14 +83,19 @@ class LevelBounds {
   };
 
   // The texels, or the ends and the texel centres, between two coordinates.
-  [[nodiscard]] std::vector<Stop> stops(double low, double high, double size, VkSamplerAddressMode mode) const {
+  void find_stops(double low, double high, double size, VkSamplerAddressMode mode, std::vector<Stop>& stops) const {
     const double first = std::floor(low);
     const double texels = std::floor(high) - first + 1;
     // NaN too.
-    if (!(texels <= kManyStops)) return std::vector<Stop>(kManyStops + 1);
-    std::vector<Stop> stops;
-    stops.reserve(static_cast<size_t>(texels) + 2);
-    if (sampling_.filter == VK_FILTER_LINEAR) stops = {between(low, size, mode), between(high, size, mode)};
+    if (!(texels <= kManyStops)) {
+      stops.assign(kManyStops + 1, {});
+      return;
+    }
+    stops.clear();
+    if (sampling_.filter == VK_FILTER_LINEAR) {
+      stops.push_back(between(low, size, mode));
+      stops.push_back(between(high, size, mode));
+    }
     for (int i = 0; i < static_cast<int>(texels); ++i) {
       const double texel = first + i;
       if (sampling_.filter == VK_FILTER_NEAREST) {
@@ -97,7 +104,6 @@ class LevelBounds {
         stops.push_back(between(texel + 0.5, size, mode));
       }
     }
-    return stops;
   }
 
   static Stop between(double place, double size, VkSamplerAddressMode mode) {
@@ -169,7 +175,7 @@ ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, cons
   if (sampling.mipmaps == Mipmaps::kNone) return of_level(0);
   const auto last = static_cast<double>(texture.levels.size() - 1);
   Interval lod = level_of_detail(texture, range);
-  const double error = std::exp2(-static_cast<double>(precision.mipmap_bits));
+  const double error = std::ldexp(1.0, -static_cast<int>(precision.mipmap_bits));
   ColorBounds bounds = kNothing;
   if (sampling.mipmaps == Mipmaps::kNearest) {
     const auto first = static_cast<int>(std::max(std::ceil(lod.low + 0.5) - 1, 0.0));
