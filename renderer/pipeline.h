@@ -53,6 +53,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
     return {};
   }
   WorkerPool& workers = own_workers(options.threads);
+  const WorkerPool::Awake awake(workers);
 
   // Step 1: the vertices.
   constexpr uint32_t kVerticesAtOnce = 1024;

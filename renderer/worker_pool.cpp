@@ -1,8 +1,35 @@
 #include "renderer/worker_pool.h"
 
+#include <chrono>
 #include <optional>
 
 namespace fillrule::renderer {
+
+namespace {
+
+// So that a hardware thread that waits leaves the core to the other one.
+void relax() {
+#if defined(__x86_64__)
+  __builtin_ia32_pause();
+#endif
+}
+
+}  // namespace
+
+WorkerPool::WorkerPool(uint32_t threads)
+    : threads_(threads), begun_(threads), has_processors_(threads <= std::thread::hardware_concurrency()) {}
+
+template <typename IsReady>
+void WorkerPool::look_out(const IsReady& is_ready) const {
+  if (!has_processors_) {
+    return;
+  }
+  constexpr std::chrono::microseconds kPatience{100};  // some tiles' worth
+  const auto give_up = std::chrono::steady_clock::now() + kPatience;
+  while (!is_ready() && std::chrono::steady_clock::now() < give_up) {
+    relax();
+  }
+}
 
 WorkerPool::~WorkerPool() {
   {
@@ -35,6 +62,7 @@ void WorkerPool::parallel_for(size_t count, size_t cost, const std::function<voi
   }
   work_ready_.notify_all();
   take_all(0, body, count);
+  look_out([this] { return busy_ == 0; });
   std::unique_lock lock(mutex_);
   work_done_.wait(lock, [this] { return busy_ == 0; });
 }
@@ -57,8 +85,9 @@ void WorkerPool::take_all(uint32_t thread, const std::function<void(size_t)>& bo
 
 void WorkerPool::work(uint32_t thread) {
   uint64_t seen = 0;
-  std::unique_lock lock(mutex_);
   while (true) {
+    look_out([&] { return generation_ != seen || !is_awake_; });
+    std::unique_lock lock(mutex_);
     work_ready_.wait(lock, [&] { return stopping_ || generation_ != seen; });
     if (stopping_) {
       return;

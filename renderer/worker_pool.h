@@ -15,7 +15,7 @@ namespace fillrule::renderer {
 class WorkerPool {
  public:
   // `threads` counts the calling one; 1 never starts any.
-  explicit WorkerPool(uint32_t threads) : threads_(threads), begun_(threads) {}
+  explicit WorkerPool(uint32_t threads);
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -34,6 +34,21 @@ class WorkerPool {
 
   static constexpr size_t kMinParallelCost = 200'000;
 
+  // While there is one, more loops are coming: threads without work look out for the next one, for a while, before they
+  // sleep. To be woken takes tens of microseconds, in each of a draw's loops.
+  class Awake {
+   public:
+    explicit Awake(WorkerPool& pool) : pool_(pool) { pool_.is_awake_ = true; }
+    ~Awake() { pool_.is_awake_ = false; }
+    Awake(const Awake&) = delete;
+    Awake& operator=(const Awake&) = delete;
+    Awake(Awake&&) = delete;
+    Awake& operator=(Awake&&) = delete;
+
+   private:
+    WorkerPool& pool_;
+  };
+
  private:
   // How many of a thread's own calls were begun; on a line of the cache of its own.
   struct alignas(64) Begun {
@@ -42,6 +57,9 @@ class WorkerPool {
 
   void start();
   void work(uint32_t thread);
+  // Returns once `is_ready()`, or after a while.
+  template <typename IsReady>
+  void look_out(const IsReady& is_ready) const;
   void take_all(uint32_t thread, const std::function<void(size_t)>& body, size_t count);
 
   uint32_t threads_;
@@ -52,8 +70,11 @@ class WorkerPool {
   const std::function<void(size_t)>* body_ = nullptr;
   size_t count_ = 0;
   std::vector<Begun> begun_;  // thread by thread
-  size_t busy_ = 0;
-  uint64_t generation_ = 0;
+  // Changed under the mutex only.
+  std::atomic<size_t> busy_ = 0;
+  std::atomic<uint64_t> generation_ = 0;
+  std::atomic<bool> is_awake_ = false;
+  bool has_processors_;  // one for each thread
   bool stopping_ = false;
 };
 

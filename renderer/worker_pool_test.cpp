@@ -21,6 +21,20 @@ TEST(WorkerPool, DoesEveryIndexOnceHoweverOftenItIsUsed) {
   }
 }
 
+TEST(WorkerPool, DoesEveryIndexOnceInLoopsThatFollowEachOther) {
+  for (const uint32_t threads : {2U, 7U}) {
+    WorkerPool pool(threads);
+    std::atomic<int> calls = 0;
+    for (int draw = 0; draw < 20; ++draw) {
+      const WorkerPool::Awake awake(pool);
+      for (int loop = 0; loop < 10; ++loop) {
+        pool.parallel_for(13, WorkerPool::kMinParallelCost, [&](size_t) { ++calls; });
+      }
+    }
+    EXPECT_EQ(calls, 20 * 10 * 13) << threads << " threads";
+  }
+}
+
 TEST(WorkerPool, SmallWorkStaysOnTheCallingThread) {
   WorkerPool pool(4);
   std::set<std::thread::id> ids;
