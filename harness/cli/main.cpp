@@ -12,6 +12,7 @@
 
 #include "cases/format/suggestion.h"
 #include "harness/cli/command.h"
+#include "harness/cli/crash_report.h"
 #include "harness/cli/options.h"
 
 namespace {
@@ -40,6 +41,7 @@ void keep_freed_memory() {
 int main(int argc, char** argv) {
   using namespace fillrule::cli;
   int exit_code = kConforms;
+  report_crashes();
   keep_freed_memory();
   try {
     CLI::App app("Fillrule: is this rasterizer right, pixel by pixel, and if not, who is wrong and why?", "fillrule");

@@ -193,6 +193,8 @@ int run_cases(const RunCommandOptions& options) {
     if (i > 0) named.output = with_suffix(options.output, references[i]);
     // The higher code is the graver one.
     exit_code = std::max(exit_code, run_against(named, against(options.parties, references[i]), suite.cases, *shard));
+    // What the next driver may do to the process must not take this along.
+    std::fflush(stdout);
   }
   // The drivers against each other. Their faults are known from above, so this decides nothing.
   std::vector<std::string> drivers;
