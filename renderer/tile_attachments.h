@@ -22,8 +22,8 @@
 
 namespace fillrule::renderer::internal {
 
-// Asks for values that are soon written: rows of a tile with one sample are too short for the processor to foresee the
-// next.
+// Asks for values that are soon written: rows of a tile with one sample are too short for the processor to foresee
+// the next.
 template <typename T>
 [[gnu::always_inline]] inline void prefetch_row(std::span<T> values, size_t first, size_t count) {
   constexpr size_t kCacheLine = 64 / sizeof(T);

@@ -34,8 +34,8 @@ class WorkerPool {
 
   static constexpr size_t kMinParallelCost = 200'000;
 
-  // While there is one, more loops are coming: threads without work look out for the next one, for a while, before they
-  // sleep. To be woken takes tens of microseconds, in each of a draw's loops.
+  // While there is one, more loops are coming: threads without work look out for the next one, for a while, before
+  // they sleep. To be woken takes tens of microseconds, in each of a draw's loops.
   class Awake {
    public:
     explicit Awake(WorkerPool& pool) : pool_(pool) { pool_.is_awake_ = true; }

@@ -19,7 +19,9 @@ constexpr int kMaxFrames = 64;
 
 // All that a signal's handler may call (signal-safety(7)); backtrace() after its first call, which loads a library.
 void report(int signal) {
-  const auto print = [](std::string_view text) { static_cast<void>(!write(STDERR_FILENO, text.data(), text.size())); };
+  const auto print = [](std::string_view text) {
+    static_cast<void>(!write(STDERR_FILENO, text.data(), text.size()));
+  };
   const char* const name = sigabbrev_np(signal);
   print("fillrule: died of signal SIG");
   print(name == nullptr ? "?" : name);

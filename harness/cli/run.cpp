@@ -194,7 +194,7 @@ int run_cases(const RunCommandOptions& options) {
     // The higher code is the graver one.
     exit_code = std::max(exit_code, run_against(named, against(options.parties, references[i]), suite.cases, *shard));
     // What the next driver may do to the process must not take this along.
-    std::fflush(stdout);
+    static_cast<void>(std::fflush(stdout));
   }
   // The drivers against each other. Their faults are known from above, so this decides nothing.
   std::vector<std::string> drivers;

@@ -29,8 +29,9 @@ struct Image {
   std::vector<float> values;  // integers are scaled to 0 to 1
 };
 
-// Loads that library on a thread of its own, for those who will need it soon. Nobody may change the environment before
-// the thread has ended: libraries read theirs as they are loaded, and getenv() beside setenv() reads freed memory.
+// Loads that library on a thread of its own, for those who will need it soon. Nobody may change the environment
+// before the thread has ended: libraries read theirs as they are loaded, and getenv() beside setenv() reads freed
+// memory.
 [[nodiscard]] std::jthread load_ahead();
 
 // The image's first channels, at most `max_channels`. Fails, naming the file, for what is no image or has more than

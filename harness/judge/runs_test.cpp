@@ -98,7 +98,7 @@ TEST(Runs, OfMissingSamplesAreRecordedWhole) {
   test_case.draws[1].positions.pop_back();
   Result<Planes> planes = programs::draw_case(test_case, {});
   ASSERT_TRUE(planes);
-  for (size_t x = 2; x < 6; ++x) clear_at(3 * kSize + x, *planes, test_case.target.clear_depth);
+  for (size_t x = 2; x < 6; ++x) clear_at(size_t{3} * kSize + x, *planes, test_case.target.clear_depth);
   const CaseVerdict verdict = judge(test_case, {.planes = &*planes}, nullptr, {});
   EXPECT_EQ(verdict.undefined_samples, verdict.samples);
   EXPECT_EQ(verdict.planes[0].candidate_faults(), 4U);

@@ -62,10 +62,8 @@ bool scales(float coordinate, float factor) {
 }  // namespace
 
 Case without_texts(const Case& test_case) {
-  return {.target = test_case.target,
-          .varyings = test_case.varyings,
-          .draws = test_case.draws,
-          .scene = test_case.scene};
+  return {
+      .target = test_case.target, .varyings = test_case.varyings, .draws = test_case.draws, .scene = test_case.scene};
 }
 
 Case as_triangle_list(const Case& test_case, const std::array<uint32_t, 3>& order) {

@@ -11,8 +11,8 @@
 namespace fillrule::exact {
 namespace {
 
-// Samples are classified in blocks of this many pixels squared, and these in quarters down to blocks so small, so that
-// only those near a boundary are asked one by one.
+// Samples are classified in blocks of this many pixels squared, and these in quarters down to blocks so small, so
+// that only those near a boundary are asked one by one.
 constexpr int32_t kBlockSize = 8;
 constexpr uint32_t kLeastBlockSize = 2;  // of one sample a pixel; of several, 1
 
