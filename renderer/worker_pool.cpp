@@ -21,7 +21,7 @@ WorkerPool::WorkerPool(uint32_t threads)
 
 template <typename IsReady>
 void WorkerPool::look_out(const IsReady& is_ready) const {
-  if (!has_processors_) {
+  if (!has_processors_ || !is_long_) {
     return;
   }
   constexpr std::chrono::microseconds kPatience{100};  // some tiles' worth
@@ -58,6 +58,7 @@ void WorkerPool::parallel_for(size_t count, size_t cost, const std::function<voi
       begun.calls = 0;
     }
     busy_ = workers_.size();
+    is_long_ = cost >= kMinCostToLookOut;
     ++generation_;
   }
   work_ready_.notify_all();

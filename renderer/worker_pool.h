@@ -33,9 +33,11 @@ class WorkerPool {
   void parallel_for(size_t count, size_t cost, const std::function<void(size_t)>& body);
 
   static constexpr size_t kMinParallelCost = 200'000;
+  static constexpr size_t kMinCostToLookOut = 1'000'000;
 
   // While there is one, more loops are coming: threads without work look out for the next one, for a while, before
-  // they sleep. To be woken takes tens of microseconds, in each of a draw's loops.
+  // they sleep. To be woken takes tens of microseconds, in each of a draw's loops. After short loops, worth less than
+  // kMinCostToLookOut, they do not: whoever has many of those has other work for the processor.
   class Awake {
    public:
     explicit Awake(WorkerPool& pool) : pool_(pool) { pool_.is_awake_ = true; }
@@ -74,7 +76,8 @@ class WorkerPool {
   std::atomic<size_t> busy_ = 0;
   std::atomic<uint64_t> generation_ = 0;
   std::atomic<bool> is_awake_ = false;
-  bool has_processors_;  // one for each thread
+  std::atomic<bool> is_long_ = false;  // the loop
+  bool has_processors_;                // one for each thread
   bool stopping_ = false;
 };
 

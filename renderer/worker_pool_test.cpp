@@ -28,7 +28,8 @@ TEST(WorkerPool, DoesEveryIndexOnceInLoopsThatFollowEachOther) {
     for (int draw = 0; draw < 20; ++draw) {
       const WorkerPool::Awake awake(pool);
       for (int loop = 0; loop < 10; ++loop) {
-        pool.parallel_for(13, WorkerPool::kMinParallelCost, [&](size_t) { ++calls; });
+        const size_t cost = loop % 2 == 0 ? WorkerPool::kMinCostToLookOut : WorkerPool::kMinParallelCost;
+        pool.parallel_for(13, cost, [&](size_t) { ++calls; });
       }
     }
     EXPECT_EQ(calls, 20 * 10 * 13) << threads << " threads";
