@@ -72,12 +72,12 @@ class WorkerPool {
   const std::function<void(size_t)>* body_ = nullptr;
   size_t count_ = 0;
   std::vector<Begun> begun_;  // thread by thread
-  // Changed under the mutex only.
+  // Changed under the mutex; read without it by threads that look out.
   std::atomic<size_t> busy_ = 0;
   std::atomic<uint64_t> generation_ = 0;
-  std::atomic<bool> is_awake_ = false;
-  std::atomic<bool> is_long_ = false;  // the loop
-  bool has_processors_;                // one for each thread
+  std::atomic<bool> is_long_ = false;   // the loop is worth kMinCostToLookOut
+  std::atomic<bool> is_awake_ = false;  // changed by the thread that draws
+  bool has_processors_;                 // one for each thread
   bool stopping_ = false;
 };
 

@@ -52,7 +52,7 @@ expect 2 'did you mean "run"?' "$fillrule" rnu own/good.toml
 expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candidate painter
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
-# A sanitizer would listen for it instead.
+# Sanitizers would report a crash themselves unless told not to.
 expect 139 'fillrule: died of signal SIGSEGV; the innermost frames first:' \
   env ASAN_OPTIONS=handle_segv=0 TSAN_OPTIONS=handle_segv=0 \
   bash -c '(sleep 0.5; kill -SEGV $$) & exec "$0" stress --triangles 1000000000' "$fillrule"

