@@ -23,6 +23,7 @@ struct ScalarLanes {
   // The same in every lane.
   static Float all(float value) { return value; }
   static Double all(double value) { return value; }
+  static Int all(int32_t value) { return value; }
   // The lanes' numbers: 0, 1, 2 ...
   static Int numbers() { return 0; }
 
@@ -76,6 +77,8 @@ struct ScalarLanes {
   static Float lesser(Float a, Float b) { return a < b ? a : b; }
   static Float greater(Float a, Float b) { return a > b ? a : b; }
   static Double greater(Double a, Double b) { return a > b ? a : b; }
+  static Int lesser(Int a, Int b) { return a < b ? a : b; }
+  static Int greater(Int a, Int b) { return a > b ? a : b; }
   // a <= b in every lane.
   static bool all_at_most(Double a, Double b) { return a <= b; }
 
@@ -106,6 +109,7 @@ struct ScalarLanes {
   static Mask negated(Mask mask) { return !mask; }
   // Bit i: lane i.
   static uint32_t sign_bits(Int value) { return static_cast<uint32_t>(value) >> 31U; }
+  static uint32_t nonzero_bits(Int value) { return value != 0 ? 1 : 0; }
   static Mask mask_of(uint32_t bits) { return (bits & 1U) != 0; }
   static uint32_t bits_of(Mask mask) { return mask ? 1 : 0; }
 

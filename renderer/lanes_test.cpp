@@ -249,6 +249,31 @@ TEST(Lanes, StoreWhatIsLess) {
   }
 }
 
+TEST(Lanes, CompareWholeNumbers) {
+  const std::array<int32_t, kCount> values{0, -1, 7, INT32_MIN, 0, INT32_MAX, 1 << 24, 3};
+  const std::array<int32_t, kCount> others{0, 2, -7, 1, -1, INT32_MIN, (1 << 24) + 1, 3};
+  for (const Isa isa : kAllIsas) {
+    if (!is_supported(isa)) continue;
+    std::array<int32_t, kCount> lesser{};
+    std::array<int32_t, kCount> greater{};
+    uint32_t nonzero = 0;
+    dispatch(
+        isa, [&]<typename L>() __attribute__((always_inline)) {
+          for (uint32_t i = 0; i < kCount; i += L::kWidth) {
+            const typename L::Int value = L::load(values.data() + i);
+            L::store(L::lesser(value, L::load(others.data() + i)), lesser.data() + i);
+            L::store(L::greater(value, L::load(others.data() + i)), greater.data() + i);
+            nonzero |= L::nonzero_bits(value) << i;
+          }
+        });
+    for (size_t i = 0; i < kCount; ++i) {
+      EXPECT_EQ(lesser[i], std::min(values[i], others[i])) << to_string(isa) << i;
+      EXPECT_EQ(greater[i], std::max(values[i], others[i])) << to_string(isa) << i;
+    }
+    EXPECT_EQ(nonzero, 0b11101110U) << to_string(isa);
+  }
+}
+
 TEST(Lanes, PackNothingOfWhatIsNoColor) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   const std::array<float, kCount> values{-1, -1e30F, -kInfinity, std::nanf(""), -0.4F, 0, 255, -70000};

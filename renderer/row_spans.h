@@ -26,12 +26,14 @@
 
 namespace fillrule::renderer::internal {
 
-// Eight pixels side by side, the first at (x, y). Bit kSamples * i + s: sample s of the pixel x + i.
+// Eight pixels side by side, the first at (x, y) of the tile. Bit kSamples * i + s: sample s of the pixel x + i.
 struct PixelRun {
-  int16_t x;
-  int16_t y;
+  uint32_t pixel;  // x + y * kTileSize
   uint32_t samples;
   uint32_t primitive;  // whoever made the list knows which
+
+  [[nodiscard, gnu::always_inline]] uint32_t x() const { return pixel % static_cast<uint32_t>(kTileSize); }
+  [[nodiscard, gnu::always_inline]] uint32_t y() const { return pixel / static_cast<uint32_t>(kTileSize); }
 };
 
 inline constexpr int32_t kMaxSpanPixels = 32;  // of the rectangle in which a small triangle is covered, either way
@@ -42,22 +44,25 @@ inline constexpr uint32_t kMaxRunsOfTriangle =
 struct RunList {
   static constexpr uint32_t kCapacity = 8 * kMaxRunsOfTriangle;
 
-  std::array<uint32_t, kCapacity> pixels;  // x + (y << 16)
+  std::array<uint32_t, kCapacity> places;  // pixel + (primitive << kPixelBits)
   std::array<uint32_t, kCapacity> samples;
-  std::array<uint32_t, kCapacity> primitives;
   uint32_t count = 0;
   uint32_t primitive = 0;  // of the runs that are added
+  int32_t tile_left = 0;   // pixels
+  int32_t tile_top = 0;
+
+  static constexpr uint32_t kPixelBits = 12;
+  static_assert(kTileSize * kTileSize == 1 << kPixelBits);
 
   // Lanes write beyond the last run.
   [[nodiscard]] bool has_room() const { return count + kMaxRunsOfTriangle + kBlockSize <= kCapacity; }
 
   [[nodiscard, gnu::always_inline]] PixelRun run(uint32_t i) const {
-    return {static_cast<int16_t>(pixels[i]), static_cast<int16_t>(pixels[i] >> 16U), samples[i], primitives[i]};
+    return {places[i] % (1U << kPixelBits), samples[i], places[i] >> kPixelBits};
   }
   // Run i is run `from`, of which these samples are left.
   [[gnu::always_inline]] void keep(uint32_t i, uint32_t from, uint32_t samples_left) {
-    pixels[i] = pixels[from];
-    primitives[i] = primitives[from];
+    places[i] = places[from];
     samples[i] = samples_left;
   }
 };
@@ -123,28 +128,31 @@ struct LaneSpans {
 struct RunWriter {
   const PixelRect rect;
   RunList& list;
-  uint32_t count;  // kept here: what is in the list would be read again after each run
-  uint32_t primitive;
+  uint32_t count;        // kept here: what is in the list would be read again after each run
+  uint32_t first_place;  // of the rectangle's first pixel and the triangle
 
   RunWriter(const PixelRect& rect_of_runs, RunList& of_runs)
-      : rect(rect_of_runs), list(of_runs), count(of_runs.count), primitive(of_runs.primitive) {}
+      : rect(rect_of_runs),
+        list(of_runs),
+        count(of_runs.count),
+        first_place(static_cast<uint32_t>((rect.top - of_runs.tile_top) * kTileSize + rect.left - of_runs.tile_left) +
+                    (of_runs.primitive << RunList::kPixelBits)) {}
 
   // At a pixel and a row of the rectangle; not if there is nothing.
   [[gnu::always_inline]] void add(int32_t column, int32_t row, uint32_t samples) {
-    list.pixels[count] = static_cast<uint32_t>(rect.left + column + ((rect.top + row) << 16));
+    list.places[count] = first_place + static_cast<uint32_t>(column + row * kTileSize);
     list.samples[count] = samples;
-    list.primitives[count] = primitive;
     count += samples != 0 ? 1 : 0;
   }
 
   // The same lane by lane, in rows one below the other.
   template <typename L>
   [[gnu::always_inline]] void add(const typename L::Int& columns, int32_t first_row, const typename L::Int& samples) {
-    const auto rows = (L::numbers() + (rect.top + first_row)) << 16;
-    const uint32_t covered = L::bits_of(samples != 0);
-    L::store_packed(covered, columns + rect.left + rows, list.pixels.data() + count);
+    const uint64_t in_rect = (uint64_t{1} << static_cast<uint32_t>(rect.height() - first_row)) - 1;
+    const auto covered = static_cast<uint32_t>(L::nonzero_bits(samples) & in_rect);
+    const auto first = static_cast<int32_t>(first_place) + first_row * kTileSize;
+    L::store_packed(covered, L::numbers() * kTileSize + first + columns, list.places.data() + count);
     L::store_packed(covered, samples, list.samples.data() + count);
-    L::store(static_cast<int32_t>(primitive) + typename L::Int{}, list.primitives.data() + count);
     count += static_cast<uint32_t>(std::popcount(covered));
   }
 };
@@ -153,13 +161,9 @@ struct RunWriter {
 template <typename L>
 [[gnu::always_inline]] inline void add_runs(const LaneSpans<L>& spans, int32_t first_row, int32_t first_pixel,
                                             RunWriter& writer) {
-  const int32_t rows = writer.rect.height() - first_row;
   const auto begins = spans.begins + first_pixel;
-  const auto lengths = L::to_float(spans.ends - begins);
-  const auto limited = L::lesser(L::greater(lengths, L::all(0.0F)), L::all(float{kBlockSize}));
-  const auto in_rect = L::to_float(L::numbers()) < L::all(static_cast<float>(rows));
-  const auto counts = L::truncated(in_rect ? limited : L::all(0.0F));
-  writer.template add<L>(begins, first_row, (1 << counts) - 1);
+  const auto lengths = L::lesser(L::greater(spans.ends - begins, L::all(0)), L::all(kBlockSize));
+  writer.template add<L>(begins, first_row, (1 << lengths) - 1);
 }
 
 // Spans that were kept, row by row and sample by sample.
@@ -211,28 +215,24 @@ template <typename L, uint32_t kSamples>
     edge2.narrow(begins, ends);
     // Within the row, so that an empty span ends at or before its beginning but not far away.
     const LaneSpans<L> spans{L::truncated(L::lesser(begins, width)), L::truncated(L::greater(ends, L::all(0.0F)))};
-    const size_t first = static_cast<size_t>(row) * kSamples;
-    L::store(spans.begins, kept.begins.data() + first);
-    L::store(spans.ends, kept.ends.data() + first);
-    const auto firsts = L::template least_of_each<kSamples>(L::to_float(spans.begins));
-    const auto lasts = L::template greatest_of_each<kSamples>(L::to_float(spans.ends));
-    longest = L::greater(lasts - firsts, longest);
     if constexpr (kSamples == 1) {
-      add_runs<L>(spans, row, 0, writer);
+      for (int32_t pixel = 0; pixel < rect.width(); pixel += kBlockSize) {
+        add_runs<L>(spans, row, pixel, writer);
+      }
     } else {
+      const size_t first = static_cast<size_t>(row) * kSamples;
+      L::store(spans.begins, kept.begins.data() + first);
+      L::store(spans.ends, kept.ends.data() + first);
+      const auto firsts = L::template least_of_each<kSamples>(L::to_float(spans.begins));
+      const auto lasts = L::template greatest_of_each<kSamples>(L::to_float(spans.ends));
+      longest = L::greater(lasts - firsts, longest);
       L::store(L::truncated(firsts), kept.firsts.data() + first);
     }
   }
   if constexpr (kSamples > 1) {
     add_runs<L, kSamples>(kept, 0, writer);
-  }
-  for (int32_t pixel = kBlockSize; pixel < rect.width() && L::any(longest > L::all(static_cast<float>(pixel)));
-       pixel += kBlockSize) {
-    if constexpr (kSamples == 1) {
-      for (int32_t row = 0; row < rect.height(); row += kRows) {
-        add_runs<L>({L::load(kept.begins.data() + row), L::load(kept.ends.data() + row)}, row, pixel, writer);
-      }
-    } else {
+    for (int32_t pixel = kBlockSize; pixel < rect.width() && L::any(longest > L::all(static_cast<float>(pixel)));
+         pixel += kBlockSize) {
       add_runs<L, kSamples>(kept, pixel, writer);
     }
   }

@@ -69,6 +69,9 @@ std::vector<uint32_t> expected_of(const SmallTriangle& one) {
 // The same by spans; what lies beyond the rectangle, or is there twice, is reported.
 std::vector<uint32_t> covered_of(const SmallTriangle& one, Isa isa) {
   const auto list = std::make_unique<RunList>();
+  list->tile_left = one.rect.left / kTileSize * kTileSize;
+  list->tile_top = one.rect.top / kTileSize * kTileSize;
+  list->primitive = 15;
   dispatch(
       isa, [&]<typename L>() __attribute__((always_inline)) {
         if (one.samples == 1) {
@@ -82,12 +85,13 @@ std::vector<uint32_t> covered_of(const SmallTriangle& one, Isa isa) {
   for (uint32_t i = 0; i < list->count; ++i) {
     const PixelRun run = list->run(i);
     EXPECT_NE(run.samples, 0U);
+    EXPECT_EQ(run.primitive, 15U);
     for (uint32_t bit = 0; bit < kBlockSize * one.samples; ++bit) {
       if ((run.samples >> bit & 1U) == 0) {
         continue;
       }
-      const int32_t x = run.x + static_cast<int32_t>(bit / one.samples) - one.rect.left;
-      const int32_t y = run.y - one.rect.top;
+      const int32_t x = list->tile_left + static_cast<int32_t>(run.x() + bit / one.samples) - one.rect.left;
+      const int32_t y = list->tile_top + static_cast<int32_t>(run.y()) - one.rect.top;
       if (x < 0 || x >= one.rect.width() || y < 0 || y >= one.rect.height()) {
         ADD_FAILURE() << "a pixel beyond the rectangle: " << x << ", " << y;
         continue;

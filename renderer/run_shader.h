@@ -14,6 +14,18 @@
 
 namespace fillrule::renderer::internal {
 
+// Distances in pixels between pixels of a tile, and of those a run reaches beyond it, ascending: to load, since the
+// conversions of a run's pixels are as much work as the rest of its colours' inputs.
+inline constexpr int32_t kLeastDistance = -kTileSize;
+constexpr std::array<float, size_t{2} * kTileSize + kBlockSize> distances_in_tile() {
+  std::array<float, size_t{2} * kTileSize + kBlockSize> distances{};
+  for (int32_t i = 0; float& distance : distances) {
+    distance = static_cast<float>(kLeastDistance + i++);
+  }
+  return distances;
+}
+inline constexpr auto kDistances = distances_in_tile();
+
 // The blocks of the runs must have been loaded. A run's primitive is its number in `primitives`.
 template <typename L, Program P, uint32_t kSamples>
 struct RunShader {
@@ -21,7 +33,7 @@ struct RunShader {
   const P& program;
   std::span<const TilePrimitive<P>> primitives;
   const TileAttachments& attachments;
-  int32_t tile_right;  // pixels
+  PixelRect tile_pixels;
 
   // The runs [first, end), of which nothing of use is left.
   [[gnu::always_inline]] void shade(RunList& runs, uint32_t first, uint32_t end) const {
@@ -57,10 +69,8 @@ struct RunShader {
       const PixelRun run = runs.run(i);
       uint32_t samples = run.samples & sample_bits;
       if (has_test) {
-        const PrimitiveInterpolation& planes = of_runs[run.primitive].interpolation;
-        const auto [columns, row] =
-            depths(planes.depth_framebuffer, run.x - planes.anchor_x, run.y - planes.anchor_y);
-        samples = test_row<L, kIsUsual, false>(stage, columns, row, pixels.depths_at(run.x, run.y), samples);
+        const auto [columns, row] = depths(of_runs[run.primitive], run);
+        samples = test_row<L, kIsUsual, false>(stage, columns, row, pixels.depths_at(run.pixel), samples);
       }
       runs.keep(count, i, samples);
       count += samples != 0 ? 1 : 0;
@@ -74,40 +84,47 @@ struct RunShader {
   };
 
   // What the depths of a run's samples are the sum of.
-  [[nodiscard, gnu::always_inline]] RunDepths depths(const WindowPlane& depth, int32_t x_from_anchor,
-                                                     int32_t y_from_anchor) const {
+  [[nodiscard, gnu::always_inline]] RunDepths depths(const TilePrimitive<P>& primitive, const PixelRun& run) const {
+    const WindowPlane& depth = primitive.interpolation.depth_framebuffer;
+    const int32_t x = primitive.from_plane_anchor.x + static_cast<int32_t>(run.x());
+    const auto y = static_cast<double>(primitive.from_plane_anchor.y + static_cast<int32_t>(run.y()));
     RunDepths result;
     for (uint32_t vector = 0; vector < kVectors; ++vector) {
-      typename L::Double xs;
+      typename L::Double of_columns;
       if constexpr (kSamples == 1) {
-        xs = L::to_double(L::numbers() + (x_from_anchor + static_cast<int32_t>(vector * L::kWidth)));
+        of_columns = L::to_double(L::numbers() + (x + static_cast<int32_t>(vector * L::kWidth)));
       } else {
-        xs = L::all(static_cast<double>(x_from_anchor)) +
-             L::load(draw.sample_offsets_x.data() + size_t{vector} * L::kWidth);
+        of_columns =
+            L::all(static_cast<double>(x)) + L::load(draw.sample_offsets_x.data() + size_t{vector} * L::kWidth);
       }
-      result.columns[vector] = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
+      result.columns[vector] = L::all(depth.at_anchor) + L::all(depth.step_x) * of_columns;
     }
     if constexpr (kSamples == 1) {
-      result.row = L::all(depth.step_y * y_from_anchor);
+      result.row = L::all(depth.step_y * y);
     } else {
-      const auto ys = L::all(static_cast<double>(y_from_anchor)) + L::load(draw.sample_offsets_y.data());
-      result.row = L::all(depth.step_y) * ys;
+      result.row = L::all(depth.step_y) * (L::all(y) + L::load(draw.sample_offsets_y.data()));
     }
     return result;
   }
 
-  // Two runs at once where lanes come in pairs and both runs are of one primitive.
+  // Two runs at once where lanes come in pairs and both runs are of one primitive; a run that is alone goes with
+  // itself, of which nothing is written, for whether it is alone cannot be foreseen.
   [[gnu::always_inline]] void write_colors(const RunList& runs, uint32_t first, uint32_t end) const {
     const auto pixels = attachments.template pixels<kSamples>();
-    for (uint32_t i = first; i < end; ++i) {
-      if constexpr (LanePairs<L>::kExist) {
-        if (i + 1 < end && runs.primitives[i] == runs.primitives[i + 1]) {
-          write_pair(runs.run(i), runs.run(i + 1), pixels);
-          ++i;
-          continue;
-        }
+    if constexpr (LanePairs<L>::kExist) {
+      for (uint32_t i = first; i < end; ++i) {
+        const PixelRun run = runs.run(i);
+        PixelRun second = runs.run(i + 1);
+        const uint32_t has_second = (i + 1 < end ? 1U : 0U) & (second.primitive == run.primitive ? 1U : 0U);
+        i += has_second;
+        second = runs.run(i);
+        second.samples &= 0 - has_second;
+        write_pair(run, second, pixels);
       }
-      write_colors(runs.run(i), pixels);
+    } else {
+      for (uint32_t i = first; i < end; ++i) {
+        write_colors(runs.run(i), pixels);
+      }
     }
   }
 
@@ -119,7 +136,7 @@ struct RunShader {
       const auto packed = packed_color<L>(program, primitive.data, primitive.reciprocal_w,
                                           x_from_anchor(primitive, run, column), y_from_anchor(primitive, run));
       write_samples<L, kSamples, false>(packed, run.samples >> (column * kSamples),
-                                        pixels.colors_at(run.x, run.y) + size_t{column} * kSamples);
+                                        pixels.colors_at(run.pixel) + size_t{column} * kSamples);
     }
   }
 
@@ -131,30 +148,36 @@ struct RunShader {
         program, primitive.data, primitive.reciprocal_w,
         Pairs::pair(x_from_anchor(primitive, first, 0), x_from_anchor(primitive, second, 0)),
         Pairs::pair(y_from_anchor(primitive, first), y_from_anchor(primitive, second)));
-    write_samples<L, kSamples, false>(Pairs::first_of(packed), first.samples, pixels.colors_at(first.x, first.y));
-    write_samples<L, kSamples, false>(Pairs::second_of(packed), second.samples, pixels.colors_at(second.x, second.y));
+    write_samples<L, kSamples, false>(Pairs::first_of(packed), first.samples, pixels.colors_at(first.pixel));
+    write_samples<L, kSamples, false>(Pairs::second_of(packed), second.samples, pixels.colors_at(second.pixel));
   }
 
+  // Of the run's pixels from this one on, from the anchor of the planes of varyings.
   [[gnu::always_inline]] static typename L::Float x_from_anchor(const TilePrimitive<P>& primitive,
                                                                 const PixelRun& run, uint32_t column) {
-    return L::to_float(L::numbers() + (run.x - primitive.shaded.anchor_x + static_cast<int32_t>(column)));
+    return L::load(distance(primitive.from_color_anchor.x, run.x() + column));
   }
   [[gnu::always_inline]] static typename L::Float y_from_anchor(const TilePrimitive<P>& primitive,
                                                                 const PixelRun& run) {
-    return L::all(static_cast<float>(run.y - primitive.shaded.anchor_y));
+    return L::all(*distance(primitive.from_color_anchor.y, run.y()));
+  }
+  [[gnu::always_inline]] static const float* distance(int32_t from_anchor, uint32_t in_tile) {
+    return &kDistances[static_cast<size_t>(ptrdiff_t{from_anchor} + in_tile - kLeastDistance)];
   }
 
   // To a program without colours; a block's row must not reach into another tile.
   [[gnu::always_inline]] void emit_fragments(const PixelRun& run) const {
     const TilePrimitive<P>& primitive = primitives[run.primitive];
+    const int32_t x = tile_pixels.left + static_cast<int32_t>(run.x());
+    const int32_t y = tile_pixels.top + static_cast<int32_t>(run.y());
     if constexpr (BlockProgram<P>) {
-      const int32_t beyond_tile = std::max(run.x + kBlockSize - tile_right, 0);
-      program.template block<L>(primitive.data, run.x - beyond_tile, run.y, uint64_t{run.samples} << beyond_tile,
+      const int32_t beyond_tile = std::max(x + kBlockSize - tile_pixels.right, 0);
+      program.template block<L>(primitive.data, x - beyond_tile, y, uint64_t{run.samples} << beyond_tile,
                                 primitive.interpolation);
     } else {
       for (uint32_t rest = run.samples; rest != 0; rest &= rest - 1) {
         program.fragment(primitive.data,
-                         {.x = run.x + std::countr_zero(rest), .y = run.y, .interpolation = primitive.interpolation});
+                         {.x = x + std::countr_zero(rest), .y = y, .interpolation = primitive.interpolation});
       }
     }
   }
@@ -162,10 +185,12 @@ struct RunShader {
   void shade_pixels(const PixelRun& run) const {
     constexpr uint32_t kAllSamples = (1U << kSamples) - 1;
     const PrimitiveShader<P> shader{draw, program, primitives[run.primitive]};
-    for (int32_t pixel = 0; pixel < kBlockSize; ++pixel) {
-      const uint32_t covered = run.samples >> (static_cast<uint32_t>(pixel) * kSamples) & kAllSamples;
+    for (uint32_t pixel = 0; pixel < kBlockSize; ++pixel) {
+      const uint32_t covered = run.samples >> (pixel * kSamples) & kAllSamples;
       if (covered != 0) {
-        shader.shade_pixel(run.x + pixel, run.y, covered, attachments.at(run.x + pixel, run.y));
+        const int32_t x = tile_pixels.left + static_cast<int32_t>(run.x() + pixel);
+        const int32_t y = tile_pixels.top + static_cast<int32_t>(run.y());
+        shader.shade_pixel(x, y, covered, attachments.at(x, y));
       }
     }
   }

@@ -41,12 +41,16 @@ inline void set_anchor(const PixelRect& tile_pixels, ShadedPrimitive& primitive)
   primitive.anchor_y = std::clamp(primitive.interpolation->anchor_y, tile_pixels.top, tile_pixels.bottom - 1);
 }
 
+inline AnchorDistance distance_from(int32_t anchor_x, int32_t anchor_y, const PixelRect& tile_pixels) {
+  return {tile_pixels.left - anchor_x, tile_pixels.top - anchor_y};
+}
+
 // Asks for what the primitives after entry i will need: those of a tile are far apart in memory.
 template <Program P>
 [[gnu::always_inline]] inline void prefetch(const P& program, std::span<const ClipPosition> positions_clip,
                                             std::span<const TileEntry> entries, size_t i) {
-  constexpr size_t kFar = 16;
-  constexpr size_t kNear = 8;  // has arrived since it was far
+  constexpr size_t kFar = 12;
+  constexpr size_t kNear = 6;  // has arrived since it was far
   if (i + kFar < entries.size()) {
     const SetupPrimitive* const far = entries[i + kFar].primitive;
     __builtin_prefetch(far);
@@ -75,7 +79,10 @@ class ShadingQueue {
         positions_clip_(positions_clip),
         tile_pixels_(tile_pixels),
         attachments_(attachments),
-        has_lane_planes_(L::kWidth > 1 && draw.shape == Shape::kPolygon && !draw.input.state.depth_bias) {}
+        has_lane_planes_(L::kWidth > 1 && draw.shape == Shape::kPolygon && !draw.input.state.depth_bias) {
+    runs_.tile_left = tile_pixels.left;
+    runs_.tile_top = tile_pixels.top;
+  }
 
   // Whether the queue is full then, and must be shaded before the next primitive.
   [[nodiscard, gnu::always_inline]] bool add(const SetupPrimitive& primitive,
@@ -186,6 +193,9 @@ class ShadingQueue {
                         .front_facing = setup.front_facing,
                         .interpolation = &primitive.interpolation};
     set_anchor(tile_pixels_, primitive.shaded);
+    primitive.from_plane_anchor =
+        distance_from(primitive.interpolation.anchor_x, primitive.interpolation.anchor_y, tile_pixels_);
+    primitive.from_color_anchor = distance_from(primitive.shaded.anchor_x, primitive.shaded.anchor_y, tile_pixels_);
     primitive.data = program_.primitive_data(primitive.shaded);
     primitive.reciprocal_w =
         reciprocal_w_plane(primitive.interpolation, primitive.shaded.anchor_x, primitive.shaded.anchor_y);
@@ -252,7 +262,7 @@ class ShadingQueue {
       ++entry;
     }
     if constexpr (kHasRuns) {
-      RunShader<L, P, kSamples>{draw_, program_, primitives_, attachments_, tile_pixels_.right}.shade(
+      RunShader<L, P, kSamples>{draw_, program_, primitives_, attachments_, tile_pixels_}.shade(
           runs_, entries_[first].first_run, entries_[entry].first_run);
     }
     return entry;

@@ -112,6 +112,13 @@ class TileAttachments {
     [[nodiscard, gnu::always_inline]] uint32_t* colors_at(int32_t x, int32_t y) const {
       return colors + offset(x, y);
     }
+    // Of a pixel by its number in the tile.
+    [[nodiscard, gnu::always_inline]] float* depths_at(uint32_t pixel) const {
+      return depths + size_t{pixel} * kSamples;
+    }
+    [[nodiscard, gnu::always_inline]] uint32_t* colors_at(uint32_t pixel) const {
+      return colors + size_t{pixel} * kSamples;
+    }
 
    private:
     [[nodiscard, gnu::always_inline]] ptrdiff_t offset(int32_t x, int32_t y) const {

@@ -63,6 +63,9 @@ struct VectorLanes {
     }
     return result;
   }
+  [[gnu::always_inline]] static Int all(int32_t value) {
+    return value - Int{};
+  }
   [[gnu::always_inline]] static Int numbers() {
     return numbers(std::make_integer_sequence<int32_t, kWidth>());
   }
@@ -222,6 +225,26 @@ struct VectorLanes {
     return Double::each(
         a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p > q ? p : q; });
   }
+  [[gnu::always_inline]] static Int lesser(const Int& a, const Int& b) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 16) {
+      return __builtin_ia32_pminsd128(a, b);
+    } else if constexpr (kFloatBytes == 32) {
+      return __builtin_ia32_pminsd256(a, b);
+    }
+#endif
+    return a < b ? a : b;
+  }
+  [[gnu::always_inline]] static Int greater(const Int& a, const Int& b) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kFloatBytes == 16) {
+      return __builtin_ia32_pmaxsd128(a, b);
+    } else if constexpr (kFloatBytes == 32) {
+      return __builtin_ia32_pmaxsd256(a, b);
+    }
+#endif
+    return a > b ? a : b;
+  }
   [[gnu::always_inline]] static bool all_at_most(const Double& a, const Double& b) {
     const Double beyond = Double::each(
         a, b,
@@ -330,6 +353,14 @@ struct VectorLanes {
   }
   [[gnu::always_inline]] static uint32_t bits_of(const Mask& mask) {
     return sign_bits(mask);
+  }
+  [[gnu::always_inline]] static uint32_t nonzero_bits(const Int& value) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kMasksAreBits && kFloatBytes == 32) {
+      return static_cast<uint8_t>(__builtin_ia32_ptestmd256(value, value, 0xFF));
+    }
+#endif
+    return bits_of(value != 0);
   }
   [[gnu::always_inline]] static uint32_t sign_bits(const Int& value) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
