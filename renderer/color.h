@@ -53,16 +53,19 @@ template <typename L>
 struct FragmentLanes {
   typename L::Float x;  // of the pixels' centres, or of the sample under sample shading: pixels from the anchor
   typename L::Float y;
-  typename L::Float w;          // clip space; smooth varyings are divided by it
-  typename L::Int primitive{};  // the lane of each one's primitive, where there are several
+  typename L::Float w;  // clip space; smooth varyings are divided by it
+  // Where varyings are those of several primitives: the lane of each one's primitive, or that of all of them.
+  typename L::Int primitive{};
+  uint32_t lane = 0;
+  bool are_of_one = false;
 
-  // Varyings of the fragments' primitive (M is ScalarLanes) or primitives (L).
+  // Varyings of the fragments' primitive (M is ScalarLanes) or of several primitives.
 
   // A smooth one, perspective-correct.
   template <typename M>
   [[nodiscard, gnu::always_inline]] Color<L> smooth(const VaryingPlanes<M>& planes) const {
     const auto component = [&](size_t i) __attribute__((always_inline)) {
-      return at(VaryingPlane<M>{planes.at_anchor[i], planes.step_x[i], planes.step_y[i]}) * w;
+      return at(planes.at_anchor[i], planes.step_x[i], planes.step_y[i]) * w;
     };
     return {component(0), component(1), component(2), component(3)};
   }
@@ -73,17 +76,25 @@ struct FragmentLanes {
 
   template <typename M>
   [[nodiscard, gnu::always_inline]] typename L::Float at(const VaryingPlane<M>& plane) const {
-    return own(plane.at_anchor) + own(plane.step_x) * x + own(plane.step_y) * y;
+    return at(plane.at_anchor, plane.step_x, plane.step_y);
   }
 
  private:
+  template <typename Value>
+  [[nodiscard, gnu::always_inline]] typename L::Float at(const Value& at_anchor, const Value& step_x,
+                                                         const Value& step_y) const {
+    return own(at_anchor) + own(step_x) * x + own(step_y) * y;
+  }
+
   // Of each fragment's own primitive.
   template <typename Value>
   [[nodiscard, gnu::always_inline]] typename L::Float own(const Value& value) const {
     if constexpr (std::is_same_v<Value, float>) {
       return L::all(value);
+    } else if constexpr (std::is_same_v<Value, typename L::Float>) {
+      return are_of_one ? L::all(value[lane]) : L::chosen(value, primitive);
     } else {
-      return L::chosen(value, primitive);
+      return L::all(value[lane]);
     }
   }
 };

@@ -11,19 +11,11 @@
 
 namespace fillrule::renderer::internal {
 
-// From an anchor to the tile's first pixel: pixels.
-struct AnchorDistance {
-  int32_t x = 0;
-  int32_t y = 0;
-};
-
 // The planes of a primitive, and what its program made of it.
 template <Program P>
 struct TilePrimitive {
   PrimitiveInterpolation interpolation;
   ShadedPrimitive shaded;
-  AnchorDistance from_plane_anchor;
-  AnchorDistance from_color_anchor;
   PrimitiveData<P> data;
   VaryingPlane<> reciprocal_w;
 };

@@ -67,14 +67,17 @@ struct RunList {
   }
 };
 
+// Asked of each pair of corners, without branches: which corner is the least cannot be foreseen.
 [[gnu::always_inline]] inline bool is_small(const std::array<FixedPosition, 3>& triangle, const PixelRect& rect) {
-  constexpr int32_t kSmallExtent = 1 << 13;
+  constexpr uint32_t kSmallExtent = 1 << 13;
   const auto& [a, b, c] = triangle;
-  const auto extent = [](int32_t p, int32_t q, int32_t r) {
-    return std::max(std::max(p, q), r) - std::min(std::min(p, q), r);
+  const auto are_near = [](int32_t p, int32_t q) {
+    return static_cast<uint32_t>(p) - static_cast<uint32_t>(q) + (kSmallExtent - 1) < 2 * kSmallExtent - 1 ? 1U : 0U;
   };
-  return rect.width() <= kMaxSpanPixels && rect.height() <= kMaxSpanPixels &&
-         std::max(extent(a.x_fixed, b.x_fixed, c.x_fixed), extent(a.y_fixed, b.y_fixed, c.y_fixed)) < kSmallExtent;
+  const uint32_t all_near = are_near(a.x_fixed, b.x_fixed) & are_near(b.x_fixed, c.x_fixed) &
+                            are_near(c.x_fixed, a.x_fixed) & are_near(a.y_fixed, b.y_fixed) &
+                            are_near(b.y_fixed, c.y_fixed) & are_near(c.y_fixed, a.y_fixed);
+  return rect.width() <= kMaxSpanPixels && rect.height() <= kMaxSpanPixels && all_near != 0;
 }
 
 // One edge on as many rows as lanes hold, for one sample after the other.
@@ -85,19 +88,21 @@ class SpanEdge {
                                   uint32_t subpixel_bits, const PixelRect& rect) {
     const int32_t dx = to.x_fixed - from.x_fixed;
     const int32_t dy = to.y_fixed - from.y_fixed;
+    // By signs, not by comparisons, of which compilers make branches; directions cannot be foreseen. A pixel on the
+    // edge is excluded unless is_top_left(dx, dy).
+    const auto is_negative = [](int32_t value) { return static_cast<uint32_t>(value) >> 31U; };
+    const uint32_t up = is_negative(dy);
+    const uint32_t down = is_negative(-dy);
+    const auto excluded = static_cast<int32_t>(down | ((up | is_negative(-dx)) ^ 1U));
     const auto x = L::load(samples.x_fixed.data()) + ((rect.left << subpixel_bits) - from.x_fixed);
     const auto y = L::load(samples.y_fixed.data()) + ((rect.top << subpixel_bits) - from.y_fixed);
-    const auto value = (y * dx - x * dy - (is_top_left(dx, dy) ? 0 : 1)) >> static_cast<int32_t>(subpixel_bits);
+    const auto value = (y * dx - x * dy - excluded) >> static_cast<int32_t>(subpixel_bits);
     value_ = L::to_float(value);
     step_y_ = static_cast<float>(dx * static_cast<int32_t>(L::kWidth / kSamples));
-    // The sums begin with 1: what is cut off after it is rounded up.
-    constexpr float kToTheSide = 0x1p-15F;
-    constexpr float kNone = std::numeric_limits<float>::infinity();
-    // Horizontal: inside on all of a row or on nothing of it, 0 and more being inside.
-    constexpr float kBeyondRow = 4096;
     scale_ = dy == 0 ? kBeyondRow : 1 / static_cast<float>(dy == 0 ? 1 : dy);
-    begin_ = dy < 0 ? 1 - kToTheSide : -kNone;
-    end_ = dy < 0 ? kNone : dy > 0 ? 1 + kToTheSide : kBeyondRow / 2;
+    const size_t direction = 1 + down - up;
+    begin_ = kBegins[direction];
+    end_ = kEnds[direction];
   }
 
   // Narrows the spans of these rows to what is inside, and steps to the next rows. A span's ends have a fraction
@@ -110,6 +115,15 @@ class SpanEdge {
   }
 
  private:
+  // What is added to quotients, of edges that go up, are horizontal and go down. The sums begin with 1: what is cut
+  // off after it is rounded up.
+  static constexpr float kToTheSide = 0x1p-15F;
+  static constexpr float kNone = std::numeric_limits<float>::infinity();
+  // Horizontal: inside on all of a row or on nothing of it, 0 and more being inside.
+  static constexpr float kBeyondRow = 4096;
+  static constexpr std::array<float, 3> kBegins{1 - kToTheSide, -kNone, -kNone};
+  static constexpr std::array<float, 3> kEnds{kNone, kBeyondRow / 2, 1 + kToTheSide};
+
   typename L::Float value_;
   float step_y_;
   float scale_;
@@ -243,15 +257,13 @@ template <typename L, uint32_t kSamples>
 [[gnu::always_inline]] inline void cover_small(const std::array<FixedPosition, 3>& triangle,
                                                const SpanSamples& samples, uint32_t subpixel_bits,
                                                const PixelRect& rect, RunList& list) {
-  const auto& [a, b, c] = triangle;
-  const int64_t area = doubled_area(a, b, c);
+  const int64_t area = doubled_area(triangle[0], triangle[1], triangle[2]);
   if (area == 0) {
     return;
   }
-  const FixedPosition second{area > 0 ? b.x_fixed : c.x_fixed, area > 0 ? b.y_fixed : c.y_fixed};
-  const FixedPosition third{area > 0 ? c.x_fixed : b.x_fixed, area > 0 ? c.y_fixed : b.y_fixed};
+  const size_t turned = area < 0 ? 1 : 0;  // which cannot be foreseen: no branch
   RunWriter writer(rect, list);
-  add_spans<L, kSamples>(a, second, third, samples, subpixel_bits, writer);
+  add_spans<L, kSamples>(triangle[0], triangle[1 + turned], triangle[2 - turned], samples, subpixel_bits, writer);
   list.count = writer.count;
 }
 

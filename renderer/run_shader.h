@@ -11,6 +11,7 @@
 #include "renderer/lane_pairs.h"
 #include "renderer/primitive_shader.h"
 #include "renderer/row_spans.h"
+#include "renderer/run_planes.h"
 
 namespace fillrule::renderer::internal {
 
@@ -26,12 +27,12 @@ constexpr std::array<float, size_t{2} * kTileSize + kBlockSize> distances_in_til
 }
 inline constexpr auto kDistances = distances_in_tile();
 
-// The blocks of the runs must have been loaded. A run's primitive is its number in `primitives`.
-template <typename L, Program P, uint32_t kSamples>
+// The blocks of the runs must have been loaded. Planes are those of the runs' primitives (run_planes.h).
+template <typename L, Program P, uint32_t kSamples, typename Planes>
 struct RunShader {
   const PreparedDraw& draw;
   const P& program;
-  std::span<const TilePrimitive<P>> primitives;
+  const Planes& planes;
   const TileAttachments& attachments;
   PixelRect tile_pixels;
 
@@ -62,14 +63,14 @@ struct RunShader {
     const bool has_test = kIsUsual || draw.depth.tests();
     const auto pixels = attachments.template pixels<kSamples>();
     const DepthStage stage = draw.depth;
-    const uint32_t sample_bits = draw.run_sample_bits;
-    const TilePrimitive<P>* const of_runs = primitives.data();
+    // Without its only sample a draw has nothing to do, and gets not here.
+    const uint32_t sample_bits = kSamples == 1 ? ~0U : draw.run_sample_bits;
     uint32_t count = first;
     for (uint32_t i = first; i < end; ++i) {
       const PixelRun run = runs.run(i);
       uint32_t samples = run.samples & sample_bits;
       if (has_test) {
-        const auto [columns, row] = depths(of_runs[run.primitive], run);
+        const auto [columns, row] = depths(run);
         samples = test_row<L, kIsUsual, false>(stage, columns, row, pixels.depths_at(run.pixel), samples);
       }
       runs.keep(count, i, samples);
@@ -84,10 +85,11 @@ struct RunShader {
   };
 
   // What the depths of a run's samples are the sum of.
-  [[nodiscard, gnu::always_inline]] RunDepths depths(const TilePrimitive<P>& primitive, const PixelRun& run) const {
-    const WindowPlane& depth = primitive.interpolation.depth_framebuffer;
-    const int32_t x = primitive.from_plane_anchor.x + static_cast<int32_t>(run.x());
-    const auto y = static_cast<double>(primitive.from_plane_anchor.y + static_cast<int32_t>(run.y()));
+  [[nodiscard, gnu::always_inline]] RunDepths depths(const PixelRun& run) const {
+    const WindowPlane& depth = planes.depth_framebuffer(run.primitive);
+    const AnchorDistance distance = planes.depth_distance(run.primitive);
+    const int32_t x = distance.x + static_cast<int32_t>(run.x());
+    const auto y = static_cast<double>(distance.y + static_cast<int32_t>(run.y()));
     RunDepths result;
     for (uint32_t vector = 0; vector < kVectors; ++vector) {
       typename L::Double of_columns;
@@ -119,6 +121,7 @@ struct RunShader {
         i += has_second;
         second = runs.run(i);
         second.samples &= 0 - has_second;
+        second.primitive = run.primitive;  // as it is
         write_pair(run, second, pixels);
       }
     } else {
@@ -131,10 +134,8 @@ struct RunShader {
   using Pixels = TileAttachments::Pixels<kSamples>;
 
   [[gnu::always_inline]] void write_colors(const PixelRun& run, const Pixels& pixels) const {
-    const TilePrimitive<P>& primitive = primitives[run.primitive];
     for (uint32_t column = 0; column < kBlockSize; column += L::kWidth) {
-      const auto packed = packed_color<L>(program, primitive.data, primitive.reciprocal_w,
-                                          x_from_anchor(primitive, run, column), y_from_anchor(primitive, run));
+      const auto packed = planes.template color<L>(run.primitive, x_from_anchor(run, column), y_from_anchor(run));
       write_samples<L, kSamples, false>(packed, run.samples >> (column * kSamples),
                                         pixels.colors_at(run.pixel) + size_t{column} * kSamples);
     }
@@ -143,31 +144,27 @@ struct RunShader {
   [[gnu::always_inline]] void write_pair(const PixelRun& first, const PixelRun& second, const Pixels& pixels) const {
     using Pairs = LanePairs<L>;
     static_assert(L::kWidth == kBlockSize);
-    const TilePrimitive<P>& primitive = primitives[first.primitive];
-    const auto packed = packed_color<typename Pairs::Lanes>(
-        program, primitive.data, primitive.reciprocal_w,
-        Pairs::pair(x_from_anchor(primitive, first, 0), x_from_anchor(primitive, second, 0)),
-        Pairs::pair(y_from_anchor(primitive, first), y_from_anchor(primitive, second)));
+    const auto packed = planes.template color<typename Pairs::Lanes>(
+        first.primitive, Pairs::pair(x_from_anchor(first, 0), x_from_anchor(second, 0)),
+        Pairs::pair(y_from_anchor(first), y_from_anchor(second)));
     write_samples<L, kSamples, false>(Pairs::first_of(packed), first.samples, pixels.colors_at(first.pixel));
     write_samples<L, kSamples, false>(Pairs::second_of(packed), second.samples, pixels.colors_at(second.pixel));
   }
 
   // Of the run's pixels from this one on, from the anchor of the planes of varyings.
-  [[gnu::always_inline]] static typename L::Float x_from_anchor(const TilePrimitive<P>& primitive,
-                                                                const PixelRun& run, uint32_t column) {
-    return L::load(distance(primitive.from_color_anchor.x, run.x() + column));
+  [[gnu::always_inline]] typename L::Float x_from_anchor(const PixelRun& run, uint32_t column) const {
+    return L::load(distance_at(planes.color_distance(run.primitive).x, run.x() + column));
   }
-  [[gnu::always_inline]] static typename L::Float y_from_anchor(const TilePrimitive<P>& primitive,
-                                                                const PixelRun& run) {
-    return L::all(*distance(primitive.from_color_anchor.y, run.y()));
+  [[gnu::always_inline]] typename L::Float y_from_anchor(const PixelRun& run) const {
+    return L::all(*distance_at(planes.color_distance(run.primitive).y, run.y()));
   }
-  [[gnu::always_inline]] static const float* distance(int32_t from_anchor, uint32_t in_tile) {
+  [[gnu::always_inline]] static const float* distance_at(int32_t from_anchor, uint32_t in_tile) {
     return &kDistances[static_cast<size_t>(ptrdiff_t{from_anchor} + in_tile - kLeastDistance)];
   }
 
   // To a program without colours; a block's row must not reach into another tile.
   [[gnu::always_inline]] void emit_fragments(const PixelRun& run) const {
-    const TilePrimitive<P>& primitive = primitives[run.primitive];
+    const TilePrimitive<P>& primitive = planes.primitives[run.primitive];
     const int32_t x = tile_pixels.left + static_cast<int32_t>(run.x());
     const int32_t y = tile_pixels.top + static_cast<int32_t>(run.y());
     if constexpr (BlockProgram<P>) {
@@ -184,7 +181,7 @@ struct RunShader {
 
   void shade_pixels(const PixelRun& run) const {
     constexpr uint32_t kAllSamples = (1U << kSamples) - 1;
-    const PrimitiveShader<P> shader{draw, program, primitives[run.primitive]};
+    const PrimitiveShader<P> shader{draw, program, planes.primitives[run.primitive]};
     for (uint32_t pixel = 0; pixel < kBlockSize; ++pixel) {
       const uint32_t covered = run.samples >> (pixel * kSamples) & kAllSamples;
       if (covered != 0) {

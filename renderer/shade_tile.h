@@ -41,10 +41,6 @@ inline void set_anchor(const PixelRect& tile_pixels, ShadedPrimitive& primitive)
   primitive.anchor_y = std::clamp(primitive.interpolation->anchor_y, tile_pixels.top, tile_pixels.bottom - 1);
 }
 
-inline AnchorDistance distance_from(int32_t anchor_x, int32_t anchor_y, const PixelRect& tile_pixels) {
-  return {tile_pixels.left - anchor_x, tile_pixels.top - anchor_y};
-}
-
 // Asks for what the primitives after entry i will need: those of a tile are far apart in memory.
 template <Program P>
 [[gnu::always_inline]] inline void prefetch(const P& program, std::span<const ClipPosition> positions_clip,
@@ -121,13 +117,13 @@ class ShadingQueue {
       LaneTriangleBuffer<L> triangles;
       const uint32_t end = has_lane_planes_ ? make_triangle_interpolations(first, triangles) : make_interpolations();
       for (uint32_t i = first; i < end; ++i) {
-        if (!is_tiny(i)) {
+        if (!stays_in_lanes(i)) {
           set_up(*entries_[i].primitive, primitives_[i]);
         }
       }
       while (first < end) {
         first = is_tiny(first)    ? shade_tiny(first, triangles)
-                : has_runs(first) ? shade_runs(first, end)
+                : has_runs(first) ? shade_runs(first, end, triangles)
                                   : shade_blocks(first);
       }
     }
@@ -165,20 +161,20 @@ class ShadingQueue {
     return count_;
   }
 
-  // The same of triangles without a bias from `first` on, as many at once as there are lanes, until there are tiny
-  // ones among them, which stay in their lanes: entry i in lane i % L::kWidth.
+  // The same of triangles without a bias from `first` on, as many at once as there are lanes, until there are some
+  // that stay in their lanes: entry i in lane i % L::kWidth.
   [[nodiscard, gnu::always_inline]] uint32_t make_triangle_interpolations(uint32_t first,
                                                                           LaneTriangleBuffer<L>& triangles) {
-    bool has_tiny = false;
-    for (; first < count_ && !has_tiny; first += L::kWidth) {
+    bool some_stay = false;
+    for (; first < count_ && !some_stay; first += L::kWidth) {
       for (uint32_t lane = 0; lane < L::kWidth; ++lane) {
         const Entry& entry = entries_[std::min(first + lane, count_ - 1)];  // beyond the last, the last again
         triangles.put(lane, *entry.primitive, entry.outline, positions_clip_);
       }
       triangles.compute(draw_);
       for (uint32_t i = first; i < std::min(first + L::kWidth, count_); ++i) {
-        if (is_tiny(i)) {
-          has_tiny = true;
+        if (stays_in_lanes(i)) {
+          some_stay = true;
         } else {
           triangles.get(i % L::kWidth, primitives_[i].interpolation);
         }
@@ -193,9 +189,6 @@ class ShadingQueue {
                         .front_facing = setup.front_facing,
                         .interpolation = &primitive.interpolation};
     set_anchor(tile_pixels_, primitive.shaded);
-    primitive.from_plane_anchor =
-        distance_from(primitive.interpolation.anchor_x, primitive.interpolation.anchor_y, tile_pixels_);
-    primitive.from_color_anchor = distance_from(primitive.shaded.anchor_x, primitive.shaded.anchor_y, tile_pixels_);
     primitive.data = program_.primitive_data(primitive.shaded);
     primitive.reciprocal_w =
         reciprocal_w_plane(primitive.interpolation, primitive.shaded.anchor_x, primitive.shaded.anchor_y);
@@ -204,7 +197,8 @@ class ShadingQueue {
   static constexpr uint32_t kSamples = std::is_same_v<Coverage, TileCoverage> ? 1 : 4;  // of a run's pixels
   static constexpr bool kHasRuns = L::kWidth > 1;
   static_assert(!kHasRuns || L::kWidth >= kSamples);
-  static constexpr bool kHasTiny = kHasRuns && kSamples == 1 && LaneProgram<P>;
+  static constexpr bool kHasLanePlanes = kHasRuns && LaneProgram<P>;
+  static constexpr bool kHasTiny = kHasLanePlanes && kSamples == 1;
 
   [[gnu::always_inline]] void cover_outline(const SetupPrimitive& primitive, std::span<const FixedPosition> outline,
                                             const PixelRect& rect) {
@@ -212,13 +206,13 @@ class ShadingQueue {
       if constexpr (kHasRuns) {
         if (primitive.covered_pixels() != 0) {
           attachments_.load(rect);
-          runs_.primitive = count_;
+          runs_.primitive = number_of(count_);
           add_covered(primitive, rect, runs_);
           return;
         }
         if (intersection(rect, draw_.span_pixels) == rect && is_small(primitive.vertices, rect)) {
           attachments_.load(rect);
-          runs_.primitive = count_;
+          runs_.primitive = number_of(count_);
           cover_small<L, kSamples>(primitive.vertices, draw_.span_samples, draw_.subpixel_bits, rect, runs_);
           return;
         }
@@ -239,13 +233,22 @@ class ShadingQueue {
     return kHasTiny && entries_[entry].covered != 0;
   }
 
+  // Whether what its fragments need is used lane by lane.
+  [[nodiscard, gnu::always_inline]] bool stays_in_lanes(uint32_t entry) const {
+    return kHasLanePlanes && has_lane_planes_ && (is_tiny(entry) || has_runs(entry));
+  }
+  // What its runs know it by.
+  [[nodiscard, gnu::always_inline]] uint32_t number_of(uint32_t entry) const {
+    return kHasLanePlanes && has_lane_planes_ ? entry % L::kWidth : entry;
+  }
+
   // Each shades some entries from this one on and returns their end.
 
   // Tiny triangles that are in the same lanes.
   [[nodiscard, gnu::always_inline]] uint32_t shade_tiny(uint32_t entry,
                                                         const LaneTriangleBuffer<L>& triangles) const {
     if constexpr (kHasTiny) {
-      TinyShader<L, P> shader(draw_, program_, triangles, attachments_.template pixels<1>());
+      TinyShader<L, P> shader(draw_, program_, triangles, tile_pixels_, attachments_.template pixels<1>());
       do {
         const SetupPrimitive& primitive = *entries_[entry].primitive;
         shader.add(entry % L::kWidth, primitive.left, primitive.top, entries_[entry].covered);
@@ -256,16 +259,28 @@ class ShadingQueue {
     return entry;
   }
 
-  [[nodiscard, gnu::always_inline]] uint32_t shade_runs(uint32_t first, uint32_t end) {
+  // All that come one after the other, up to this end at most.
+  [[nodiscard, gnu::always_inline]] uint32_t shade_runs(uint32_t first, uint32_t end,
+                                                        const LaneTriangleBuffer<L>& triangles) {
     uint32_t entry = first + 1;
     while (entry < end && has_runs(entry)) {
       ++entry;
     }
+    if constexpr (kHasLanePlanes) {
+      if (has_lane_planes_) {
+        shade_runs(PlanesInLanes<L, P>(program_, triangles, tile_pixels_), first, entry);
+        return entry;
+      }
+    }
     if constexpr (kHasRuns) {
-      RunShader<L, P, kSamples>{draw_, program_, primitives_, attachments_, tile_pixels_}.shade(
-          runs_, entries_[first].first_run, entries_[entry].first_run);
+      shade_runs(PlanesOfPrimitives<P>{program_, primitives_, tile_pixels_}, first, entry);
     }
     return entry;
+  }
+  template <typename Planes>
+  [[gnu::always_inline]] void shade_runs(const Planes& planes, uint32_t first, uint32_t end) {
+    RunShader<L, P, kSamples, Planes>{draw_, program_, planes, attachments_, tile_pixels_}.shade(
+        runs_, entries_[first].first_run, entries_[end].first_run);
   }
 
   [[nodiscard, gnu::always_inline]] uint32_t shade_blocks(uint32_t entry) const {

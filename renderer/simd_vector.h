@@ -11,6 +11,7 @@
 
 #include <cstdint>
 #include <cstring>
+#include <type_traits>
 #include <utility>
 
 namespace fillrule::renderer {
@@ -31,7 +32,11 @@ template <typename Vector, typename Value>
 [[gnu::always_inline]] inline Vector broadcast(Value value) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
   const typename SimdVector<Value, 16>::Type first{value};
-  if constexpr (sizeof(Vector) == 64 && sizeof(Value) == sizeof(double)) {
+  if constexpr (std::is_same_v<Value, int32_t>) {
+    if constexpr (sizeof(Vector) == 32) {
+      return __builtin_ia32_pbroadcastd256(first);
+    }
+  } else if constexpr (sizeof(Vector) == 64 && sizeof(Value) == sizeof(double)) {
     return __builtin_ia32_broadcastsd512(first, Vector{}, 0xFF);
   } else if constexpr (sizeof(Vector) == 64) {
     return __builtin_ia32_broadcastss512(first, Vector{}, kAllOf512);

@@ -83,6 +83,17 @@ class LaneTriangleBuffer {
     return plane(planes_[3], lane);
   }
 
+  struct LaneAnchors {
+    Int x;
+    Int y;
+  };
+  // The pixels of the tile at which planes of varyings are anchored: as set_anchor() of one primitive, since what
+  // covers a pixel of the tile has its least corner before the tile's end.
+  [[nodiscard, gnu::always_inline]] LaneAnchors anchors_within(const PixelRect& tile_pixels) const {
+    return {L::greater(L::load(anchor_x_.data()), L::all(tile_pixels.left)),
+            L::greater(L::load(anchor_y_.data()), L::all(tile_pixels.top))};
+  }
+
   // What programs are given, for planes of varyings that are anchored at other pixels.
   [[nodiscard, gnu::always_inline]] PrimitiveLanes<L> shaded(const Int& anchor_x, const Int& anchor_y) const {
     const auto x = L::to_double(anchor_x - L::load(anchor_x_.data()));
@@ -100,11 +111,6 @@ class LaneTriangleBuffer {
  private:
   using Values = std::array<double, L::kWidth>;  // lane by lane
 
-  struct LaneAnchors {
-    Int x;
-    Int y;
-  };
-
   // As plane_anchor().
   [[nodiscard, gnu::always_inline]] LaneAnchors plane_anchors(const PreparedDraw& draw) const {
     const auto [x0, y0] = L::load_pairs(&corners_[0].front().x_fixed);
@@ -112,10 +118,8 @@ class LaneTriangleBuffer {
     const auto [x2, y2] = L::load_pairs(&corners_[2].front().x_fixed);
     const auto anchor = [&](const Int& a, const Int& b, const Int& c, int32_t least, int32_t greatest)
         __attribute__((always_inline)) {
-      const Int of_two = a < b ? a : b;
-      const Int pixel = (of_two < c ? of_two : c) >> static_cast<int32_t>(draw.subpixel_bits);
-      const Int not_less = pixel < least ? least + Int{} : pixel;
-      return not_less > greatest ? greatest + Int{} : not_less;
+      const Int pixel = L::lesser(L::lesser(a, b), c) >> static_cast<int32_t>(draw.subpixel_bits);
+      return L::lesser(L::greater(pixel, L::all(least)), L::all(greatest));
     };
     const PixelRect& limits = draw.viewport_pixels;
     return {anchor(x0, x1, x2, limits.left, limits.right), anchor(y0, y1, y2, limits.top, limits.bottom)};

@@ -64,7 +64,7 @@ struct VectorLanes {
     return result;
   }
   [[gnu::always_inline]] static Int all(int32_t value) {
-    return value - Int{};
+    return broadcast<Int>(value);
   }
   [[gnu::always_inline]] static Int numbers() {
     return numbers(std::make_integer_sequence<int32_t, kWidth>());
