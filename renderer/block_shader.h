@@ -53,7 +53,8 @@ struct BlockShader {
         for (uint64_t rest = own; rest != 0;) {
           const int32_t row = std::countr_zero(rest) / kBlockSize;
           rest &= ~(uint64_t{0xFF} << (row * kBlockSize));
-          write_samples<L, 1, false>(colors.packed(x_from_anchor, block.y + row), bits_at(own, column, row),
+          const auto packed = colors.packed(x_from_anchor, colors.y_from_anchor(block.y + row));
+          write_samples<L, 1, false>(packed, bits_at(own, column, row),
                                      values.colors + ptrdiff_t{row} * kTileSize + column);
         }
       }
@@ -106,15 +107,15 @@ struct BlockShader {
   template <bool kIsUsual, bool kIsFull>
   [[gnu::always_inline]] uint64_t landed_pixels(const CoverageBlock& block, float* depths) const {
     const WindowPlane depth = shader.primitive.interpolation.depth_framebuffer;
+    const std::array<double, kBlockSize> depth_rows = depths_of_rows(block.y);
     uint64_t landed = 0;
     for (int32_t column = 0; column < kBlockSize; column += static_cast<int32_t>(L::kWidth)) {
       const auto xs = L::to_double(L::numbers() + (block.x + column - shader.primitive.interpolation.anchor_x));
       const auto depth_column = L::all(depth.at_anchor) + L::all(depth.step_x) * xs;
       const auto test_row = [&](auto row) __attribute__((always_inline)) {
         constexpr int32_t kRow = decltype(row)::value;
-        const double depth_row = depth.step_y * (block.y + kRow - shader.primitive.interpolation.anchor_y);
         const typename L::Some mask = kIsFull ? L::some(kAllLanes) : row_mask<kRow>(block.mask, column);
-        landed |= uint64_t{test_depths<L, kIsUsual>(shader.draw.depth, depth_column + L::all(depth_row), mask,
+        landed |= uint64_t{test_depths<L, kIsUsual>(shader.draw.depth, depth_column + L::all(depth_rows[kRow]), mask,
                                                     depths + ptrdiff_t{kRow} * kTileSize + column)}
                   << (kRow * kBlockSize + column);
       };
@@ -133,6 +134,17 @@ struct BlockShader {
       }
     }
     return landed;
+  }
+
+  // What the depth changes by from the anchor to each row of a block.
+  [[nodiscard, gnu::always_inline]] std::array<double, kBlockSize> depths_of_rows(int32_t y) const {
+    const PrimitiveInterpolation& planes = shader.primitive.interpolation;
+    std::array<double, kBlockSize> depths;
+    for (uint32_t row = 0; row < kBlockSize; row += L::kWidth) {
+      const auto ys = L::to_double(L::numbers() + (y + static_cast<int32_t>(row) - planes.anchor_y));
+      L::store(L::all(planes.depth_framebuffer.step_y) * ys, depths.data() + row);
+    }
+    return depths;
   }
 
   // A row of a block's mask, from the column on.
@@ -156,17 +168,24 @@ struct BlockShader {
       const auto x_from_anchor = colors.x_from_anchor(x + column);
       uint32_t* of_row = stored + ptrdiff_t{column} * kSamples;
       if constexpr (LanePairs<L>::kExist) {
+        using Pairs = LanePairs<L>;
+        using Both = typename Pairs::Lanes;
+        const auto xs = Pairs::pair(x_from_anchor, x_from_anchor);
+        auto ys = Pairs::pair(colors.y_from_anchor(y), colors.y_from_anchor(y + 1));
         for (int32_t row = 0; row < kBlockSize; row += 2) {
-          const auto pair = colors.packed_pair(x_from_anchor, y + row);
-          write_samples<L, kSamples, true>(LanePairs<L>::first_of(pair), ~0U, of_row);
+          const auto pair = colors.template packed<Both>(xs, ys);
+          write_samples<L, kSamples, true>(Pairs::first_of(pair), ~0U, of_row);
           of_row += size_t{kTileSize} * kSamples;
-          write_samples<L, kSamples, true>(LanePairs<L>::second_of(pair), ~0U, of_row);
+          write_samples<L, kSamples, true>(Pairs::second_of(pair), ~0U, of_row);
           of_row += size_t{kTileSize} * kSamples;
+          ys = ys + Both::all(2.0F);  // whole, and small: exact
         }
       } else {
+        auto ys = colors.y_from_anchor(y);
         for (int32_t row = 0; row < kBlockSize; ++row) {
-          write_samples<L, kSamples, true>(colors.packed(x_from_anchor, y + row), ~0U, of_row);
+          write_samples<L, kSamples, true>(colors.packed(x_from_anchor, ys), ~0U, of_row);
           of_row += size_t{kTileSize} * kSamples;
+          ys = ys + L::all(1.0F);
         }
       }
     }
@@ -225,7 +244,7 @@ struct BlockShader {
       } else {
         for (size_t row = 0; row < kBlockSize; ++row) {
           if (landed[row] != 0) {
-            write_row(colors.packed(x_from_anchor, y + static_cast<int32_t>(row)), row);
+            write_row(colors.packed(x_from_anchor, colors.y_from_anchor(y + static_cast<int32_t>(row))), row);
           }
         }
       }

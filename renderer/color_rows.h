@@ -1,6 +1,7 @@
 // From fragments that passed the depth test to the colours of the attachment.
 #pragma once
 
+#include <array>
 #include <bit>
 #include <cstddef>
 #include <cstdint>
@@ -48,11 +49,31 @@ template <typename Lanes, uint32_t kSamples, bool kIsFull>
   write_vectors<Lanes, kSamples, kIsFull>(packed, bits, stored, std::make_integer_sequence<uint32_t, kSamples>());
 }
 
+// Distances in pixels between pixels of a tile, and of what lanes reach beyond it, ascending: to load, since
+// conversions of a few fragments' places are as much work as the rest of what their colours need.
+inline constexpr int32_t kLeastDistance = -kTileSize;
+constexpr std::array<float, size_t{2} * kTileSize + kBlockSize> distances_in_tile() {
+  std::array<float, size_t{2} * kTileSize + kBlockSize> distances{};
+  for (int32_t i = 0; float& distance : distances) {
+    distance = static_cast<float>(kLeastDistance + i++);
+  }
+  return distances;
+}
+inline constexpr auto kDistances = distances_in_tile();
+
+// Where the distances from this one on are.
+[[nodiscard, gnu::always_inline]] inline const float* distances_from(int32_t first) {
+  return &kDistances[static_cast<size_t>(ptrdiff_t{first} - kLeastDistance)];
+}
+
 // A primitive's fragments' colours. It holds copies: stores to the attachment cannot change those, so that what all
-// fragments share is computed once.
+// fragments share is computed once. The anchor is a pixel of the fragments' tile.
 template <typename Lanes, ColorProgram P>
 class PrimitiveColors {
  public:
+  using Float = typename Lanes::Float;
+  using Pairs = LanePairs<Lanes>;
+
   template <typename Shader>
   [[gnu::always_inline]] explicit PrimitiveColors(const Shader& shader)
       : program_(shader.program),
@@ -62,29 +83,29 @@ class PrimitiveColors {
         anchor_y_(shader.primitive.shaded.anchor_y) {}
 
   // Of the centres of as many pixels as there are lanes, from the pixel x on.
-  [[nodiscard, gnu::always_inline]] typename Lanes::Float x_from_anchor(int32_t x) const {
-    return Lanes::to_float(Lanes::numbers() + (x - anchor_x_));
+  [[nodiscard, gnu::always_inline]] Float x_from_anchor(int32_t x) const {
+    return Lanes::load(distances_from(x - anchor_x_));
+  }
+  [[nodiscard, gnu::always_inline]] Float y_from_anchor(int32_t y) const {
+    return Lanes::all(*distances_from(y - anchor_y_));
   }
 
-  // Of the fragments there in the row y, packed.
-  [[nodiscard, gnu::always_inline]] typename Lanes::Int packed(const typename Lanes::Float& x_from_anchor,
-                                                               int32_t y) const {
-    return packed_color<Lanes>(program_, data_, reciprocal_w_, x_from_anchor, y_from_anchor(y));
+  // Of the fragments there, packed. L: these lanes, or pairs of them.
+  template <typename L = Lanes>
+  [[nodiscard, gnu::always_inline]] typename L::Int packed(const typename L::Float& x_from_anchor,
+                                                           const typename L::Float& y_from_anchor) const {
+    return packed_color<L>(program_, data_, reciprocal_w_, x_from_anchor, y_from_anchor);
   }
 
   // The same in the rows y and y + 1 at once, for lanes that come in pairs.
-  template <typename Pairs = LanePairs<Lanes>>
-  [[nodiscard, gnu::always_inline]] typename Pairs::Lanes::Int packed_pair(const typename Lanes::Float& x_from_anchor,
-                                                                           int32_t y) const {
-    return packed_color<typename Pairs::Lanes>(program_, data_, reciprocal_w_,
-                                               Pairs::pair(x_from_anchor, x_from_anchor),
-                                               Pairs::pair(y_from_anchor(y), y_from_anchor(y + 1)));
+  [[nodiscard, gnu::always_inline]] auto packed_pair(const Float& x_from_anchor, int32_t y) const {
+    return packed<typename Pairs::Lanes>(Pairs::pair(x_from_anchor, x_from_anchor),
+                                         Pairs::pair(y_from_anchor(y), y_from_anchor(y + 1)));
   }
 
   // Writes the colours of a block's pixels in `landed`, two rows at once; `stored` is of the block's first pixel.
-  [[gnu::always_inline]] void write_row_pairs(const typename Lanes::Float& x_from_anchor, int32_t y, uint64_t landed,
+  [[gnu::always_inline]] void write_row_pairs(const Float& x_from_anchor, int32_t y, uint64_t landed,
                                               uint32_t* stored) const {
-    using Pairs = LanePairs<Lanes>;
     static_assert(Lanes::kWidth == kBlockSize);
     constexpr uint64_t kTwoRows = 0xFFFF;
     while (landed != 0) {
@@ -99,10 +120,6 @@ class PrimitiveColors {
   }
 
  private:
-  [[nodiscard, gnu::always_inline]] typename Lanes::Float y_from_anchor(int32_t y) const {
-    return Lanes::all(static_cast<float>(y - anchor_y_));
-  }
-
   const P& program_;
   const PrimitiveData<P> data_;
   VaryingPlane<> reciprocal_w_;

@@ -15,18 +15,6 @@
 
 namespace fillrule::renderer::internal {
 
-// Distances in pixels between pixels of a tile, and of those a run reaches beyond it, ascending: to load, since the
-// conversions of a run's pixels are as much work as the rest of its colours' inputs.
-inline constexpr int32_t kLeastDistance = -kTileSize;
-constexpr std::array<float, size_t{2} * kTileSize + kBlockSize> distances_in_tile() {
-  std::array<float, size_t{2} * kTileSize + kBlockSize> distances{};
-  for (int32_t i = 0; float& distance : distances) {
-    distance = static_cast<float>(kLeastDistance + i++);
-  }
-  return distances;
-}
-inline constexpr auto kDistances = distances_in_tile();
-
 // The blocks of the runs must have been loaded. Planes are those of the runs' primitives (run_planes.h).
 template <typename L, Program P, uint32_t kSamples, typename Planes>
 struct RunShader {
@@ -153,13 +141,11 @@ struct RunShader {
 
   // Of the run's pixels from this one on, from the anchor of the planes of varyings.
   [[gnu::always_inline]] typename L::Float x_from_anchor(const PixelRun& run, uint32_t column) const {
-    return L::load(distance_at(planes.color_distance(run.primitive).x, run.x() + column));
+    const int32_t x = planes.color_distance(run.primitive).x + static_cast<int32_t>(run.x() + column);
+    return L::load(distances_from(x));
   }
   [[gnu::always_inline]] typename L::Float y_from_anchor(const PixelRun& run) const {
-    return L::all(*distance_at(planes.color_distance(run.primitive).y, run.y()));
-  }
-  [[gnu::always_inline]] static const float* distance_at(int32_t from_anchor, uint32_t in_tile) {
-    return &kDistances[static_cast<size_t>(ptrdiff_t{from_anchor} + in_tile - kLeastDistance)];
+    return L::all(*distances_from(planes.color_distance(run.primitive).y + static_cast<int32_t>(run.y())));
   }
 
   // To a program without colours; a block's row must not reach into another tile.
