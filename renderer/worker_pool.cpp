@@ -1,5 +1,10 @@
 #include "renderer/worker_pool.h"
 
+#if defined(__linux__)
+#include <pthread.h>
+#include <sched.h>
+#endif
+
 #include <chrono>
 #include <optional>
 
@@ -50,6 +55,7 @@ void WorkerPool::parallel_for(size_t count, size_t cost, const std::function<voi
     return;
   }
   start();
+  keep_workers_off_own_processor();
   {
     const std::scoped_lock lock(mutex_);
     body_ = &body;
@@ -72,6 +78,29 @@ void WorkerPool::start() {
   while (workers_.size() + 1 < threads_) {
     workers_.emplace_back([this, thread = static_cast<uint32_t>(workers_.size()) + 1] { work(thread); });
   }
+}
+
+// Linux may wake a thread on its waker's processor though another one is idle: a virtual machine's processors do not
+// count as idle while they sleep. The thread then waits, milliseconds, until the calling one has done all the work.
+void WorkerPool::keep_workers_off_own_processor() {
+#if defined(__linux__)
+  const int own = sched_getcpu();
+  if (!has_processors_ || own < 0 || own == avoided_processor_) {
+    return;
+  }
+  cpu_set_t others;
+  if (sched_getaffinity(0, sizeof others, &others) != 0) {
+    return;
+  }
+  CPU_CLR(static_cast<size_t>(own), &others);
+  if (static_cast<size_t>(CPU_COUNT(&others)) < workers_.size()) {
+    return;  // the calling thread is bound to some
+  }
+  for (std::thread& worker : workers_) {
+    static_cast<void>(pthread_setaffinity_np(worker.native_handle(), sizeof others, &others));  // a wish
+  }
+  avoided_processor_ = own;
+#endif
 }
 
 void WorkerPool::take_all(uint32_t thread, const std::function<void(size_t)>& body, size_t count) {

@@ -58,6 +58,7 @@ class WorkerPool {
   };
 
   void start();
+  void keep_workers_off_own_processor();
   void work(uint32_t thread);
   // Returns once `is_ready()`, or after a while.
   template <typename IsReady>
@@ -78,6 +79,7 @@ class WorkerPool {
   std::atomic<bool> is_long_ = false;   // the loop is worth kMinCostToLookOut
   std::atomic<bool> is_awake_ = false;  // changed by the thread that draws
   bool has_processors_;                 // one for each thread
+  int avoided_processor_ = -1;          // by all workers
   bool stopping_ = false;
 };
 

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#if defined(__linux__)
+#include <sched.h>
+#endif
+
 #include <array>
 #include <set>
 
@@ -72,6 +76,51 @@ TEST(WorkerPool, AThreadBeginsEveryLoopWithItsOwnCalls) {
   }
   EXPECT_THAT(threads_of_call, ::testing::Each(::testing::SizeIs(1)));
 }
+
+#if defined(__linux__)
+TEST(WorkerPool, WorkersKeepOffOneProcessor) {
+  cpu_set_t all;
+  ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
+  if (CPU_COUNT(&all) < 2) {
+    GTEST_SKIP() << "one processor";
+  }
+  WorkerPool pool(2);
+  const std::thread::id caller = std::this_thread::get_id();
+  cpu_set_t of_worker;
+  std::atomic<int> arrived = 0;
+  pool.parallel_for(2, WorkerPool::kMinParallelCost, [&](size_t) {
+    if (std::this_thread::get_id() != caller) {
+      EXPECT_EQ(sched_getaffinity(0, sizeof of_worker, &of_worker), 0);
+    }
+    ++arrived;
+    while (arrived < 2) {
+      std::this_thread::yield();
+    }
+  });
+  EXPECT_EQ(CPU_COUNT(&of_worker), CPU_COUNT(&all) - 1);
+  cpu_set_t of_caller;
+  ASSERT_EQ(sched_getaffinity(0, sizeof of_caller, &of_caller), 0);
+  EXPECT_TRUE(CPU_EQUAL(&of_caller, &all));
+}
+
+TEST(WorkerPool, ABoundThreadHasWorkersToo) {
+  std::thread([] {
+    cpu_set_t one;
+    CPU_ZERO(&one);
+    CPU_SET(static_cast<size_t>(std::max(sched_getcpu(), 0)), &one);
+    ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
+    WorkerPool pool(2);
+    std::atomic<int> arrived = 0;
+    pool.parallel_for(2, WorkerPool::kMinParallelCost, [&](size_t) {
+      ++arrived;
+      while (arrived < 2) {
+        std::this_thread::yield();
+      }
+    });
+    EXPECT_EQ(arrived, 2);
+  }).join();
+}
+#endif
 
 TEST(WorkerPool, AThreadKeepsItsOwnPool) {
   WorkerPool& two = own_workers(2);
