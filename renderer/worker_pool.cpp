@@ -21,8 +21,7 @@ void relax() {
 
 }  // namespace
 
-WorkerPool::WorkerPool(uint32_t threads)
-    : threads_(threads), begun_(threads), has_processors_(threads <= std::thread::hardware_concurrency()) {}
+WorkerPool::WorkerPool(uint32_t threads) : threads_(threads), begun_(threads) {}
 
 template <typename IsReady>
 void WorkerPool::look_out(const IsReady& is_ready) const {
@@ -75,6 +74,10 @@ void WorkerPool::parallel_for(size_t count, size_t cost, const std::function<voi
 }
 
 void WorkerPool::start() {
+  if (workers_.empty()) {
+    // Asked of files of the system: a good part of a short draw that starts nobody.
+    has_processors_ = threads_ <= std::thread::hardware_concurrency();
+  }
   while (workers_.size() + 1 < threads_) {
     workers_.emplace_back([this, thread = static_cast<uint32_t>(workers_.size()) + 1] { work(thread); });
   }

@@ -78,7 +78,7 @@ class WorkerPool {
   std::atomic<uint64_t> generation_ = 0;
   std::atomic<bool> is_long_ = false;   // the loop is worth kMinCostToLookOut
   std::atomic<bool> is_awake_ = false;  // changed by the thread that draws
-  bool has_processors_;                 // one for each thread
+  bool has_processors_ = false;         // one for each thread
   int avoided_processor_ = -1;          // by all workers
   bool stopping_ = false;
 };
