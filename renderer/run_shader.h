@@ -140,11 +140,11 @@ struct RunShader {
   }
 
   // Of the run's pixels from this one on, from the anchor of the planes of varyings.
-  [[gnu::always_inline]] typename L::Float x_from_anchor(const PixelRun& run, uint32_t column) const {
+  [[nodiscard, gnu::always_inline]] typename L::Float x_from_anchor(const PixelRun& run, uint32_t column) const {
     const int32_t x = planes.color_distance(run.primitive).x + static_cast<int32_t>(run.x() + column);
     return L::load(distances_from(x));
   }
-  [[gnu::always_inline]] typename L::Float y_from_anchor(const PixelRun& run) const {
+  [[nodiscard, gnu::always_inline]] typename L::Float y_from_anchor(const PixelRun& run) const {
     return L::all(*distances_from(planes.color_distance(run.primitive).y + static_cast<int32_t>(run.y())));
   }
 
