@@ -98,19 +98,16 @@ struct RunShader {
   }
 
   // Two runs at once where lanes come in pairs and both runs are of one primitive; a run that is alone goes with
-  // itself, of which nothing is written, for whether it is alone cannot be foreseen.
+  // itself, for whether it is alone cannot be foreseen.
   [[gnu::always_inline]] void write_colors(const RunList& runs, uint32_t first, uint32_t end) const {
     const auto pixels = attachments.template pixels<kSamples>();
     if constexpr (LanePairs<L>::kExist) {
       for (uint32_t i = first; i < end; ++i) {
         const PixelRun run = runs.run(i);
-        PixelRun second = runs.run(i + 1);
-        const uint32_t has_second = (i + 1 < end ? 1U : 0U) & (second.primitive == run.primitive ? 1U : 0U);
-        i += has_second;
-        second = runs.run(i);
-        second.samples &= 0 - has_second;
-        second.primitive = run.primitive;  // as it is
-        write_pair(run, second, pixels);
+        const uint32_t of_same = runs.run(i + 1).primitive == run.primitive ? 1 : 0;
+        i += (i + 1 < end ? 1U : 0U) & of_same;
+        const PixelRun second = runs.run(i);
+        write_pair(run, {second.pixel, second.samples, run.primitive}, pixels);
       }
     } else {
       for (uint32_t i = first; i < end; ++i) {
