@@ -179,8 +179,8 @@ class TileAttachments {
   static_assert(kBlocksInRow == 8, "a tile's blocks are the bits of a word");
 
   [[nodiscard, gnu::always_inline]] uint32_t block_number(int32_t x, int32_t y) const {
-    return static_cast<uint32_t>((y - top_) / kBlockSize) * kBlocksInRow +
-           static_cast<uint32_t>((x - left_) / kBlockSize);
+    constexpr auto kSize = static_cast<uint32_t>(kBlockSize);
+    return static_cast<uint32_t>(y - top_) / kSize * kBlocksInRow + static_cast<uint32_t>(x - left_) / kSize;
   }
 
   // Those that a rectangle touches, bit by bit.
