@@ -219,6 +219,32 @@ void build_chunk(const PreparedDraw& draw, const TileGrid& grid, std::span<const
   chunk.sort_into(grid);
 }
 
+std::vector<uint32_t> chunks_by_bands(const PreparedDraw& draw, const TileGrid& grid,
+                                      std::span<const WindowVertex> window_vertices, const ChunkRange& chunks,
+                                      uint32_t threads) {
+  std::vector<std::vector<uint32_t>> of_threads(threads);
+  for (uint32_t chunk = 0; chunk < chunks.count; ++chunk) {
+    const uint32_t middle = (chunks.first + chunk) * kPrimitivesInChunk + kPrimitivesInChunk / 2;
+    const uint32_t vertex = draw.assembly.vertices(std::min(middle, draw.assembly.count() - 1))[0];
+    const auto& [position, clip_code, cull_code] = window_vertices[vertex];
+    // Clipped, it is nowhere.
+    const uint32_t thread =
+        clip_code == 0 ? grid.thread_of_row(position.y_fixed >> draw.subpixel_bits, threads) : chunk % threads;
+    of_threads[thread].push_back(chunk);
+  }
+  size_t longest = 0;
+  for (const std::vector<uint32_t>& chunks_of_thread : of_threads) {
+    longest = std::max(longest, chunks_of_thread.size());
+  }
+  std::vector<uint32_t> calls(longest * threads, kNoChunk);
+  for (uint32_t thread = 0; thread < threads; ++thread) {
+    for (size_t i = 0; i < of_threads[thread].size(); ++i) {
+      calls[i * threads + thread] = of_threads[thread][i];
+    }
+  }
+  return calls;
+}
+
 void clear_around(const DrawInput& input, const PixelRect& pixels) {
   if (!input.clears()) {
     return;

@@ -25,6 +25,26 @@ namespace fillrule::renderer {
 void build_chunk(const PreparedDraw& draw, const TileGrid& grid, std::span<const ClipPosition> positions_clip,
                  std::span<const WindowVertex> window_vertices, uint32_t first, uint32_t end, PrimitiveChunk& chunk);
 
+// So many primitives are set up in one go; the last chunk of a draw may have less.
+inline constexpr uint32_t kPrimitivesInChunk = 2048;
+// So many chunks go into the tiles together, fewer where primitives fall into parts. Those of the triangles of a fine
+// grid cover a band of tiles for each of two threads.
+inline constexpr uint32_t kChunksInBatch = 128;
+
+struct ChunkRange {
+  uint32_t first = 0;  // within the draw
+  uint32_t count = 0;
+};
+inline constexpr uint32_t kNoChunk = ~0U;
+
+// The chunks of the range, counted from its first, for threads that take every threads-th call (worker_pool.h): each
+// gets those that lie in its bands of tiles, going by the primitive in the middle, and mostly draws what it has set
+// up; to fetch that from another processor's cache may take longer than drawing it. kNoChunk where a thread has
+// fewer.
+std::vector<uint32_t> chunks_by_bands(const PreparedDraw& draw, const TileGrid& grid,
+                                      std::span<const WindowVertex> window_vertices, const ChunkRange& chunks,
+                                      uint32_t threads);
+
 // Clears all of the target but these pixels, which may be none.
 void clear_around(const DrawInput& input, const PixelRect& pixels);
 
@@ -72,25 +92,29 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   });
 
   // Step 2: batches of primitives, so that bins need not hold all of them: setup in chunks, then tile by tile.
-  constexpr uint32_t kPrimitivesInChunk = 2048;
-  constexpr uint32_t kChunksInBatch = 64;
   constexpr size_t kCostOfSetup = 30;
   const TileGrid grid(prepared->setup.clip_pixels);
   clear_around(input, grid.pixels());
   const uint32_t primitives = prepared->assembly.count();
   const uint32_t all_chunks = (primitives - 1) / kPrimitivesInChunk + 1;
   const size_t room_of_chunk = size_t{prepared->parts_of_primitive()} * std::min(primitives, kPrimitivesInChunk);
-  const uint32_t chunks_at_once = std::min(all_chunks, kChunksInBatch);
+  const uint32_t chunks_at_once = std::min(all_chunks, kChunksInBatch / prepared->parts_of_primitive());
   const std::span<SetupPrimitive> room = memory.primitives.room_for(room_of_chunk * chunks_at_once);
   std::vector<PrimitiveChunk> chunks;
   chunks.reserve(chunks_at_once);
   for (uint32_t chunk = 0; chunk < chunks_at_once; ++chunk) {
     chunks.emplace_back(room.subspan(chunk * room_of_chunk, room_of_chunk));
   }
-  for (uint32_t first_chunk = 0; first_chunk < all_chunks; first_chunk += kChunksInBatch) {
-    const uint32_t batch_chunks = std::min(kChunksInBatch, all_chunks - first_chunk);
-    workers.parallel_for(batch_chunks, kCostOfSetup * kPrimitivesInChunk * batch_chunks, [&](size_t chunk) {
-      const uint32_t first = (first_chunk + static_cast<uint32_t>(chunk)) * kPrimitivesInChunk;
+  for (uint32_t first_chunk = 0; first_chunk < all_chunks; first_chunk += chunks_at_once) {
+    const uint32_t batch_chunks = std::min(chunks_at_once, all_chunks - first_chunk);
+    const std::vector<uint32_t> calls =
+        chunks_by_bands(*prepared, grid, window_vertices, {first_chunk, batch_chunks}, workers.threads());
+    workers.parallel_for(calls.size(), kCostOfSetup * kPrimitivesInChunk * batch_chunks, [&](size_t call) {
+      const uint32_t chunk = calls[call];
+      if (chunk == kNoChunk) {
+        return;
+      }
+      const uint32_t first = (first_chunk + chunk) * kPrimitivesInChunk;
       const uint32_t end = first + std::min(kPrimitivesInChunk, primitives - first);
       build_chunk(*prepared, grid, positions_clip, window_vertices, first, end, chunks[chunk]);
     });

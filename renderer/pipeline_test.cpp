@@ -27,12 +27,64 @@ TestScene many_triangles(SeededRandom& random, uint32_t triangles) {
 
 TEST(Pipeline, SameBytesForAnyNumberOfThreads) {
   SeededRandom random;
-  const TestScene scene = many_triangles(random, 40000);  // more than one batch
+  const TestScene scene = many_triangles(random, 40000);
   const TestPlanes expected = render(scene, {.threads = 1});
   EXPECT_GT(*std::max_element(expected.hits.begin(), expected.hits.end()), 3U);
   for (const uint32_t threads : {2U, 3U, 8U}) {
     EXPECT_TRUE(same_bytes(render(scene, {.threads = threads}), expected)) << threads << " threads";
   }
+}
+
+TEST(Pipeline, SameBytesOfSeveralBatches) {
+  SeededRandom random;
+  TestScene scene(512, 384);
+  constexpr uint32_t kTriangles = kPrimitivesInChunk * kChunksInBatch + 3000;
+  for (uint32_t i = 0; i < kTriangles; ++i) {
+    const double x = random.uniform(0, 512);
+    const double y = random.uniform(0, 384);
+    for (int k = 0; k < 3; ++k) {
+      scene.positions.push_back(scene.at(x + random.uniform(-2, 2), y + random.uniform(-2, 2), 0.5, 1));
+      scene.values.push_back(static_cast<float>(random.uniform(0, 1)));
+    }
+  }
+  const TestPlanes expected = render(scene, {.threads = 1});
+  const auto [least, greatest] = std::minmax_element(expected.owner.begin(), expected.owner.end());
+  EXPECT_LT(*least, kPrimitivesInChunk * kChunksInBatch);
+  EXPECT_GE(*greatest, kPrimitivesInChunk * kChunksInBatch);
+  for (const uint32_t threads : {2U, 3U}) {
+    EXPECT_TRUE(same_bytes(render(scene, {.threads = threads}), expected)) << threads << " threads";
+  }
+}
+
+TEST(Pipeline, GivesThreadsTheChunksOfTheirBands) {
+  constexpr uint32_t kChunks = 5;
+  const DrawInput input{
+      .target_width = 512,
+      .target_height = 512,
+      .vertices = {.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, .vertex_count = 3 * kPrimitivesInChunk * kChunks},
+      .state = {.viewport = {.width = 512, .height = 512, .maxDepth = 1},
+                .scissor = {.extent = {.width = 512, .height = 512}}}};
+  const Result<PreparedDraw> prepared = prepare_draw(input, {});
+  ASSERT_TRUE(prepared) << to_string(prepared.error());
+  const TileGrid grid(prepared->setup.clip_pixels);
+  std::vector<WindowVertex> vertices(input.vertices.vertex_count);
+  const auto put = [&](uint32_t chunk, int32_t y, ClipCode clip_code) {
+    for (uint32_t i = 0; i < 3 * kPrimitivesInChunk; ++i) {
+      WindowVertex& vertex = vertices[size_t{chunk} * 3 * kPrimitivesInChunk + i];
+      vertex.position.y_fixed = y << prepared->subpixel_bits;
+      vertex.clip_code = clip_code;
+    }
+  };
+  put(0, 10, 0);
+  put(1, 127, 0);
+  put(2, 128, 0);
+  put(3, 400, 0);
+  put(4, 400, 1);
+  EXPECT_THAT(chunks_by_bands(*prepared, grid, vertices, {0, kChunks}, 2),
+              ::testing::ElementsAre(0, 2, 1, 3, 4, kNoChunk));
+  EXPECT_THAT(chunks_by_bands(*prepared, grid, vertices, {2, 2}, 2),
+              ::testing::ElementsAre(kNoChunk, 0, kNoChunk, 1));
+  EXPECT_THAT(chunks_by_bands(*prepared, grid, vertices, {0, kChunks}, 1), ::testing::ElementsAre(0, 1, 2, 3, 4));
 }
 
 TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {

@@ -1,6 +1,11 @@
 #include "renderer/tile_bins.h"
 
 namespace fillrule::renderer {
+namespace {
+
+constexpr uint32_t kRowsOfBand = 2;
+
+}  // namespace
 
 TileGrid::TileGrid(const PixelRect& pixels)
     : tiles_{pixels.left / kTileSize, pixels.top / kTileSize, (pixels.right + kTileSize - 1) / kTileSize,
@@ -17,18 +22,22 @@ PixelRect TileGrid::pixels() const {
   return {tiles_.left * kTileSize, tiles_.top * kTileSize, tiles_.right * kTileSize, tiles_.bottom * kTileSize};
 }
 
+uint32_t TileGrid::thread_of_row(int32_t y, uint32_t threads) const {
+  const int32_t row = std::clamp(y / kTileSize - tiles_.top, 0, tiles_.height() - 1);
+  return static_cast<uint32_t>(row) / kRowsOfBand % threads;
+}
+
 uint32_t TileGrid::in_bands(uint32_t number, uint32_t threads) const {
-  constexpr uint32_t kRows = 2;  // of a band
   const auto columns = static_cast<uint32_t>(tiles_.width());
   const auto rows = static_cast<uint32_t>(tiles_.height());
-  const uint32_t rows_of_all = kRows * threads;
+  const uint32_t rows_of_all = kRowsOfBand * threads;
   if (number >= rows / rows_of_all * rows_of_all * columns) {
     return number;  // below the last bands of all threads, row by row
   }
   const uint32_t of_thread = number / threads;
-  const uint32_t band = of_thread / (kRows * columns) * threads + number % threads;
-  const uint32_t in_band = of_thread % (kRows * columns);
-  return (band * kRows + in_band % kRows) * columns + in_band / kRows;
+  const uint32_t band = of_thread / (kRowsOfBand * columns) * threads + number % threads;
+  const uint32_t in_band = of_thread % (kRowsOfBand * columns);
+  return (band * kRowsOfBand + in_band % kRowsOfBand) * columns + in_band / kRowsOfBand;
 }
 
 void PrimitiveChunk::clear() {

@@ -35,6 +35,8 @@ class TileGrid {
   // (worker_pool.h): a thread then gets bands of two rows, and goes along them. What touches several tiles is mostly
   // still in its processor's cache when the next one needs it.
   [[nodiscard]] uint32_t in_bands(uint32_t number, uint32_t threads) const;
+  // The thread whose band a row of pixels is in, where all threads have bands.
+  [[nodiscard]] uint32_t thread_of_row(int32_t y, uint32_t threads) const;
   // Of such a rectangle of tiles.
   template <typename Visit>
   void for_each(const PixelRect& tiles, const Visit& visit) const {

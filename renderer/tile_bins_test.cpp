@@ -44,5 +44,17 @@ TEST(TileGrid, GivesAThreadNeighboursInBands) {
   EXPECT_EQ(tiles_of(1, 2, grid), (std::vector<uint32_t>{6, 9, 7, 10, 8, 11}));
 }
 
+TEST(TileGrid, KnowsWhoseBandARowIsIn) {
+  constexpr uint32_t kThreads = 3;
+  const TileGrid grid({0, kTileSize, 5 * kTileSize, 13 * kTileSize});
+  for (uint32_t number = 0; number < grid.count(); ++number) {
+    const PixelRect pixels = grid.pixels(grid.in_bands(number, kThreads));
+    EXPECT_EQ(grid.thread_of_row(pixels.top, kThreads), number % kThreads);
+    EXPECT_EQ(grid.thread_of_row(pixels.bottom - 1, kThreads), number % kThreads);
+  }
+  EXPECT_EQ(grid.thread_of_row(-1000, kThreads), 0U);
+  EXPECT_EQ(grid.thread_of_row(100'000, kThreads), 2U);
+}
+
 }  // namespace
 }  // namespace fillrule::renderer
