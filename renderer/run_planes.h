@@ -53,7 +53,7 @@ class PlanesInLanes {
  public:
   [[gnu::always_inline]] PlanesInLanes(const P& program, const LaneTriangleBuffer<L>& triangles,
                                        const PixelRect& tile_pixels)
-      : PlanesInLanes(program, triangles, tile_pixels, triangles.anchors_within(tile_pixels)) {}
+      : PlanesInLanes(program, triangles, tile_pixels, triangles.anchors_within(tile_pixels.left, tile_pixels.top)) {}
 
   [[nodiscard, gnu::always_inline]] WindowPlane depth_framebuffer(uint32_t lane) const {
     return triangles_.depth_framebuffer(lane);

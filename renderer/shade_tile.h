@@ -248,7 +248,7 @@ class ShadingQueue {
   [[nodiscard, gnu::always_inline]] uint32_t shade_tiny(uint32_t entry,
                                                         const LaneTriangleBuffer<L>& triangles) const {
     if constexpr (kHasTiny) {
-      TinyShader<L, P> shader(draw_, program_, triangles, tile_pixels_, attachments_.template pixels<1>());
+      TinyShader<L, P> shader(draw_, program_, triangles, attachments_.template pixels<1>());
       do {
         const SetupPrimitive& primitive = *entries_[entry].primitive;
         shader.add(entry % L::kWidth, primitive.left, primitive.top, entries_[entry].covered);

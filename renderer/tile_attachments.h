@@ -108,22 +108,12 @@ class TileAttachments {
     float* depths;
     uint32_t* colors;
 
-    [[nodiscard, gnu::always_inline]] float* depths_at(int32_t x, int32_t y) const { return depths + offset(x, y); }
-    [[nodiscard, gnu::always_inline]] uint32_t* colors_at(int32_t x, int32_t y) const {
-      return colors + offset(x, y);
-    }
     // Of a pixel by its number in the tile.
     [[nodiscard, gnu::always_inline]] float* depths_at(uint32_t pixel) const {
       return depths + size_t{pixel} * kSamples;
     }
     [[nodiscard, gnu::always_inline]] uint32_t* colors_at(uint32_t pixel) const {
       return colors + size_t{pixel} * kSamples;
-    }
-
-   private:
-    [[nodiscard, gnu::always_inline]] ptrdiff_t offset(int32_t x, int32_t y) const {
-      const int32_t pixel = (y - top) * kTileSize + (x - left);
-      return ptrdiff_t{pixel} * ptrdiff_t{kSamples};
     }
   };
   // kSamples: that of the draw.

@@ -21,9 +21,8 @@ template <typename L, LaneProgram P>
 class TinyShader {
  public:
   [[gnu::always_inline]] TinyShader(const PreparedDraw& draw, const P& program,
-                                    const LaneTriangleBuffer<L>& triangles, const PixelRect& tile_pixels,
-                                    const TileAttachments::Pixels<1>& pixels)
-      : depth_(draw.depth), program_(program), triangles_(triangles), tile_pixels_(tile_pixels), pixels_(pixels) {}
+                                    const LaneTriangleBuffer<L>& triangles, const TileAttachments::Pixels<1>& pixels)
+      : depth_(draw.depth), program_(program), triangles_(triangles), pixels_(pixels) {}
 
   // The pixels of a triangle: as SetupPrimitive::covered_pixels(), which is at (left, top).
   [[gnu::always_inline]] void add(uint32_t lane, int32_t left, int32_t top, uint32_t covered) {
@@ -83,7 +82,7 @@ class TinyShader {
   }
 
   [[gnu::always_inline]] void write_colors() {
-    const auto [anchor_x, anchor_y] = triangles_.anchors_within(tile_pixels_);
+    const auto [anchor_x, anchor_y] = triangles_.anchors_within(pixels_.left, pixels_.top);
     const PrimitiveLanes<L> shaded = triangles_.shaded(anchor_x, anchor_y);
     const auto data = program_.primitive_data(shaded);
     const VaryingPlane<L> reciprocal_w = reciprocal_w_plane(shaded);
@@ -115,7 +114,6 @@ class TinyShader {
   const DepthStage& depth_;
   const P& program_;
   const LaneTriangleBuffer<L>& triangles_;
-  PixelRect tile_pixels_;
   TileAttachments::Pixels<1> pixels_;
   uint32_t count_ = 0;
   std::array<uint32_t, kMaxFragments> fragments_;

@@ -87,11 +87,10 @@ class LaneTriangleBuffer {
     Int x;
     Int y;
   };
-  // The pixels of the tile at which planes of varyings are anchored: as set_anchor() of one primitive, since what
-  // covers a pixel of the tile has its least corner before the tile's end.
-  [[nodiscard, gnu::always_inline]] LaneAnchors anchors_within(const PixelRect& tile_pixels) const {
-    return {L::greater(L::load(anchor_x_.data()), L::all(tile_pixels.left)),
-            L::greater(L::load(anchor_y_.data()), L::all(tile_pixels.top))};
+  // The pixels of the tile that begins at (left, top) at which planes of varyings are anchored: as set_anchor() of
+  // one primitive, since what covers a pixel of the tile has its least corner before the tile's end.
+  [[nodiscard, gnu::always_inline]] LaneAnchors anchors_within(int32_t left, int32_t top) const {
+    return {L::greater(L::load(anchor_x_.data()), L::all(left)), L::greater(L::load(anchor_y_.data()), L::all(top))};
   }
 
   // What programs are given, for planes of varyings that are anchored at other pixels.

@@ -226,23 +226,9 @@ struct VectorLanes {
         a, b, [](const Part& p, const Part& q) __attribute__((always_inline)) { return p > q ? p : q; });
   }
   [[gnu::always_inline]] static Int lesser(const Int& a, const Int& b) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kFloatBytes == 16) {
-      return __builtin_ia32_pminsd128(a, b);
-    } else if constexpr (kFloatBytes == 32) {
-      return __builtin_ia32_pminsd256(a, b);
-    }
-#endif
     return a < b ? a : b;
   }
   [[gnu::always_inline]] static Int greater(const Int& a, const Int& b) {
-#ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kFloatBytes == 16) {
-      return __builtin_ia32_pmaxsd128(a, b);
-    } else if constexpr (kFloatBytes == 32) {
-      return __builtin_ia32_pmaxsd256(a, b);
-    }
-#endif
     return a > b ? a : b;
   }
   [[gnu::always_inline]] static bool all_at_most(const Double& a, const Double& b) {

@@ -83,8 +83,8 @@ void WorkerPool::start() {
   }
 }
 
-// Linux may wake a thread on its waker's processor though another one is idle: a virtual machine's processors do not
-// count as idle while they sleep. The thread then waits, milliseconds, until the calling one has done all the work.
+// Linux may wake a thread on its waker's processor though another one is idle, as was seen on a virtual machine. The
+// thread then waits, milliseconds, until the calling one has done all the work.
 void WorkerPool::keep_workers_off_own_processor() {
 #if defined(__linux__)
   const int own = sched_getcpu();

@@ -12,6 +12,19 @@
 namespace fillrule::renderer {
 namespace {
 
+// One call on each of the pool's threads. Each waits for the others: it ends only if all run at the same time.
+template <typename Body>
+void call_on_all_at_once(WorkerPool& pool, const Body& body) {
+  std::atomic<uint32_t> arrived = 0;
+  pool.parallel_for(pool.threads(), WorkerPool::kMinParallelCost, [&](size_t call) {
+    body(call);
+    ++arrived;
+    while (arrived < pool.threads()) {
+      std::this_thread::yield();
+    }
+  });
+}
+
 TEST(WorkerPool, DoesEveryIndexOnceHoweverOftenItIsUsed) {
   for (const uint32_t threads : {1U, 2U, 7U}) {
     WorkerPool pool(threads);
@@ -49,15 +62,9 @@ TEST(WorkerPool, SmallWorkStaysOnTheCallingThread) {
 
 TEST(WorkerPool, LargeWorkRunsOnSeveralThreadsAtOnce) {
   WorkerPool pool(3);
-  // Each waits for the other two: it ends only if all three run at the same time.
-  std::atomic<int> arrived = 0;
-  pool.parallel_for(3, WorkerPool::kMinParallelCost, [&](size_t) {
-    ++arrived;
-    while (arrived < 3) {
-      std::this_thread::yield();
-    }
-  });
-  EXPECT_EQ(arrived, 3);
+  std::atomic<int> calls = 0;
+  call_on_all_at_once(pool, [&](size_t) { ++calls; });
+  EXPECT_EQ(calls, 3);
 }
 
 TEST(WorkerPool, AThreadBeginsEveryLoopWithItsOwnCalls) {
@@ -65,14 +72,8 @@ TEST(WorkerPool, AThreadBeginsEveryLoopWithItsOwnCalls) {
   WorkerPool pool(kThreads);
   std::array<std::set<std::thread::id>, kThreads> threads_of_call;
   for (size_t loop = 1; loop <= 50; ++loop) {
-    std::atomic<size_t> arrived = 0;
-    pool.parallel_for(kThreads, WorkerPool::kMinParallelCost, [&](size_t call) {
-      threads_of_call[call].insert(std::this_thread::get_id());
-      ++arrived;
-      while (arrived < kThreads) {  // so that nobody can take another's
-        std::this_thread::yield();
-      }
-    });
+    // At once, so that nobody can take another's.
+    call_on_all_at_once(pool, [&](size_t call) { threads_of_call[call].insert(std::this_thread::get_id()); });
   }
   EXPECT_THAT(threads_of_call, ::testing::Each(::testing::SizeIs(1)));
 }
@@ -82,19 +83,15 @@ TEST(WorkerPool, WorkersKeepOffOneProcessor) {
   cpu_set_t all;
   ASSERT_EQ(sched_getaffinity(0, sizeof all, &all), 0);
   if (CPU_COUNT(&all) < 2) {
-    GTEST_SKIP() << "one processor";
+    GTEST_SKIP() << "there is one processor, which nobody can keep off";
   }
   WorkerPool pool(2);
   const std::thread::id caller = std::this_thread::get_id();
   cpu_set_t of_worker;
-  std::atomic<int> arrived = 0;
-  pool.parallel_for(2, WorkerPool::kMinParallelCost, [&](size_t) {
+  CPU_ZERO(&of_worker);
+  call_on_all_at_once(pool, [&](size_t) {
     if (std::this_thread::get_id() != caller) {
       EXPECT_EQ(sched_getaffinity(0, sizeof of_worker, &of_worker), 0);
-    }
-    ++arrived;
-    while (arrived < 2) {
-      std::this_thread::yield();
     }
   });
   EXPECT_EQ(CPU_COUNT(&of_worker), CPU_COUNT(&all) - 1);
@@ -110,14 +107,9 @@ TEST(WorkerPool, ABoundThreadHasWorkersToo) {
     CPU_SET(static_cast<size_t>(std::max(sched_getcpu(), 0)), &one);
     ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
     WorkerPool pool(2);
-    std::atomic<int> arrived = 0;
-    pool.parallel_for(2, WorkerPool::kMinParallelCost, [&](size_t) {
-      ++arrived;
-      while (arrived < 2) {
-        std::this_thread::yield();
-      }
-    });
-    EXPECT_EQ(arrived, 2);
+    std::atomic<int> calls = 0;
+    call_on_all_at_once(pool, [&](size_t) { ++calls; });
+    EXPECT_EQ(calls, 2);
   }).join();
 }
 #endif
