@@ -11,7 +11,7 @@ using Position = HomogeneousPosition<DoubleDouble>;
 
 constexpr uint32_t kMadeByClipping = 3;
 
-// kDistances is the room for the user's clip distances: few triangles that are clipped have any.
+// kDistances is the room for the user's clip distances: few triangles that are clipped have any, or more than one.
 template <size_t kDistances>
 struct ClipVertex {
   Position position;
@@ -81,14 +81,20 @@ class Planes {
   uint32_t end_;
 };
 
+// What the plane leaves of the polygon, in `clipped`; false, and nothing is written, where it leaves all.
 template <size_t kDistances>
-ClipPolygon<kDistances> clip(const Planes<kDistances>& planes, uint32_t plane,
-                             const ClipPolygon<kDistances>& polygon) {
+bool clip(const Planes<kDistances>& planes, uint32_t plane, const ClipPolygon<kDistances>& polygon,
+          ClipPolygon<kDistances>& clipped) {
   std::array<DoubleDouble, kMaxPolygonVertices> distances;
+  bool cuts = false;
   for (uint32_t i = 0; i < polygon.count; ++i) {
     distances[i] = planes.distance(plane, polygon.vertices[i]);
+    cuts = cuts || distances[i] < 0;
   }
-  ClipPolygon<kDistances> clipped;
+  if (!cuts) {
+    return false;
+  }
+  clipped.count = 0;
   for (uint32_t i = 0; i < polygon.count; ++i) {
     const uint32_t next = i + 1 == polygon.count ? 0 : i + 1;
     const auto& vertex = polygon.vertices[i];
@@ -102,27 +108,32 @@ ClipPolygon<kDistances> clip(const Planes<kDistances>& planes, uint32_t plane,
       clipped.push(planes.intersect(plane, vertex_next, distances[next], vertex, distances[i]));
     }
   }
-  return clipped;
+  return true;
 }
 
 template <size_t kDistances>
 FixedPolygon clip_with(const WindowTransform& transform, const std::array<ClipPosition, 3>& positions_clip,
                        const std::array<WindowVertex, 3>& window_vertices, const ClipDistances& clip_distances) {
-  ClipPolygon<kDistances> polygon;
+  // What is left so far, and room for what the next plane leaves of it.
+  std::array<ClipPolygon<kDistances>, 2> polygons;
+  size_t current = 0;
   for (uint32_t i = 0; i < 3; ++i) {
     const auto& [x, y, z, w] = positions_clip[i];
     ClipVertex<kDistances> vertex{.position = {x, y, z, w}, .source = i};
     for (size_t k = 0; k < clip_distances[i].size(); ++k) {
       vertex.distances[k] = clip_distances[i][k];
     }
-    polygon.push(vertex);
+    polygons[current].push(vertex);
   }
   // All planes, whichever of them the triangle's own vertices cross: an intersection may be outside of a further
   // plane by rounding, and the neighbour must decide alike.
   const Planes<kDistances> planes(transform, clip_distances[0].size());
   for (uint32_t plane = planes.begin(); plane < planes.end(); ++plane) {
-    polygon = clip(planes, plane, polygon);
+    if (clip(planes, plane, polygons[current], polygons[1 - current])) {
+      current = 1 - current;
+    }
   }
+  const ClipPolygon<kDistances>& polygon = polygons[current];
   FixedPolygon snapped;
   for (uint32_t i = 0; i < polygon.count; ++i) {
     const auto& vertex = polygon.vertices[i];
@@ -145,6 +156,9 @@ FixedPolygon clip_triangle(const WindowTransform& transform, const std::array<Cl
                            const std::array<WindowVertex, 3>& window_vertices, const ClipDistances& clip_distances) {
   if (clip_distances[0].empty()) {
     return clip_with<0>(transform, positions_clip, window_vertices, clip_distances);
+  }
+  if (clip_distances[0].size() == 1) {
+    return clip_with<1>(transform, positions_clip, window_vertices, clip_distances);
   }
   return clip_with<kMaxClipAndCullDistances>(transform, positions_clip, window_vertices, clip_distances);
 }

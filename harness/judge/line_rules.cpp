@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <map>
-#include <set>
+#include <compare>
+#include <span>
 
 #include "reference/exact/bresenham.h"
 
@@ -15,14 +15,41 @@ using exact::Entry;
 using exact::Expectation;
 using exact::Piece;
 
-// What a party drew of one line. Columns and rows are an x-major line's; see the header.
+// A place of a fragment; columns and rows are an x-major line's, see the header.
+struct Cell {
+  int64_t column = 0;
+  int64_t row = 0;
+  auto operator<=>(const Cell&) const = default;
+};
+// Of one line, ascending.
+using Cells = std::vector<Cell>;
+
+// What a party drew of one line.
 struct DrawnLine {
   const Piece* piece = nullptr;
   const BresenhamLine* shape = nullptr;
-  bool told = true;                              // the planes tell of every sample whether the line landed there
-  std::map<int64_t, std::set<int64_t>> columns;  // the rows of its fragments
-  std::map<int64_t, std::set<int64_t>> open;     // where it might have landed and did not
+  bool told = true;  // the planes tell of every sample whether the line landed there
+  Cells fragments;
+  Cells open;  // where it might have landed and did not
 };
+
+// The cells of one column.
+std::span<const Cell> in_column(const Cells& cells, int64_t column) {
+  const auto found = std::ranges::equal_range(cells, column, {}, &Cell::column);
+  return {found.begin(), found.end()};
+}
+
+// Calls visit(cells of a column) for each column.
+template <typename Visit>
+void for_each_column(const Cells& cells, const Visit& visit) {
+  for (std::span<const Cell> rest = cells; !rest.empty();) {
+    const auto end = std::ranges::find_if(
+        rest, [first = rest.front().column](int64_t column) { return column != first; }, &Cell::column);
+    const auto size = static_cast<size_t>(end - rest.begin());
+    visit(rest.first(size));
+    rest = rest.subspan(size);
+  }
+}
 
 bool contains(const VkRect2D& rectangle, const std::array<double, 4>& box) {
   const double left = rectangle.offset.x;
@@ -56,13 +83,15 @@ class LineRules {
     if (lines_.empty()) return {};
     find_fragments();
     const DrawnLine* previous = nullptr;
-    for (const auto& [number, line] : lines_) {
+    for (const DrawnLine& line : lines_) {
       if (!line.told) continue;
       judge_line(line);
       if (previous != nullptr && continues(*previous, line)) judge_joint(*previous, line);
       previous = &line;
     }
-    return {broken_.begin(), broken_.end()};
+    std::ranges::sort(broken_);
+    broken_.erase(std::ranges::unique(broken_).begin(), broken_.end());
+    return std::move(broken_);
   }
 
  private:
@@ -72,7 +101,9 @@ class LineRules {
       if (piece.kind != Piece::Kind::kBresenhamLine) continue;
       const auto& shape = static_cast<const BresenhamLine&>(*piece.shape);
       if (!shape.has_rules(piece.latitude) || !lands_everywhere(case_, piece)) continue;
-      lines_[i] = {.piece = &piece, .shape = &shape};
+      line_of_piece_.resize(expectation_.pieces().size(), kNoLine);
+      line_of_piece_[i] = static_cast<uint32_t>(lines_.size());
+      lines_.push_back({.piece = &piece, .shape = &shape});
     }
   }
 
@@ -82,9 +113,14 @@ class LineRules {
       if (expectation_.sole()[index] != exact::kSeveral) continue;
       expectation_.collect(index, entries);
       for (const Entry& entry : entries) {
-        const auto found = lines_.find(entry.piece);
-        if (found != lines_.end()) note(found->second, entries, index);
+        const uint32_t line = line_of_piece_[entry.piece];
+        if (line != kNoLine) note(lines_[line], entries, index);
       }
+    }
+    // They were found in the order of samples.
+    for (DrawnLine& line : lines_) {
+      std::ranges::sort(line.fragments);
+      std::ranges::sort(line.open);
     }
   }
 
@@ -99,41 +135,43 @@ class LineRules {
     const bool landed = hits != 0 && (hits == entries.size() || owner == line.piece->owner);
     const auto x = static_cast<int64_t>(index % planes_.width);
     const auto y = static_cast<int64_t>(index / planes_.width);
-    auto& columns = landed ? line.columns : line.open;
-    columns[line.shape->x_major() ? x : y].insert(line.shape->x_major() ? y : x);
+    Cells& cells = landed ? line.fragments : line.open;
+    cells.push_back(line.shape->x_major() ? Cell{.column = x, .row = y} : Cell{.column = y, .row = x});
   }
 
-  void break_at(const DrawnLine& line, int64_t column, int64_t row) {
-    const int64_t x = line.shape->x_major() ? column : row;
-    const int64_t y = line.shape->x_major() ? row : column;
-    broken_.insert(static_cast<size_t>(y) * planes_.width + static_cast<size_t>(x));
+  void break_at(const DrawnLine& line, const Cell& cell) {
+    const int64_t x = line.shape->x_major() ? cell.column : cell.row;
+    const int64_t y = line.shape->x_major() ? cell.row : cell.column;
+    broken_.push_back(static_cast<size_t>(y) * planes_.width + static_cast<size_t>(x));
   }
 
   void judge_line(const DrawnLine& line) {
     const auto width = static_cast<size_t>(line.shape->width());
-    for (const auto& [column, rows] : line.columns) {
-      const bool side_by_side = *rows.rbegin() - *rows.begin() + 1 == static_cast<int64_t>(rows.size());
-      if (rows.size() != width || !side_by_side) break_at(line, column, *rows.rbegin());
-    }
+    int64_t columns = 0;
+    for_each_column(line.fragments, [&](std::span<const Cell> column) {
+      ++columns;
+      const bool side_by_side = column.back().row - column.front().row + 1 == static_cast<int64_t>(column.size());
+      if (column.size() != width || !side_by_side) break_at(line, column.back());
+    });
     const exact::CountRange expected = line.shape->columns(line.piece->latitude);
-    const auto columns = static_cast<int64_t>(line.columns.size());
     if (columns > expected.most + 1) {
-      const auto& [column, rows] = *line.columns.rbegin();
-      break_at(line, column, *rows.begin());
+      break_at(line, in_column(line.fragments, line.fragments.back().column).front());
     }
     if (columns < expected.least - 1) break_at_missing(line);
   }
 
-  // In the middle of the first column that lacks its fragments behind one that has them, or else of the first.
+  // In the middle of the first column that lacks its fragments behind one that has them, or else of the last that
+  // does, or else of the first.
   void break_at_missing(const DrawnLine& line) {
-    const auto* missing = &*line.open.begin();
-    for (const auto& column : line.open) {
-      if (line.columns.contains(column.first)) continue;
-      missing = &column;
-      if (!line.columns.empty() && column.first > line.columns.begin()->first) break;
-    }
-    const auto& [column, rows] = *missing;
-    break_at(line, column, *std::next(rows.begin(), static_cast<std::ptrdiff_t>(rows.size() / 2)));
+    std::span<const Cell> missing = in_column(line.open, line.open.front().column);
+    bool found = false;
+    for_each_column(line.open, [&](std::span<const Cell> column) {
+      const int64_t number = column.front().column;
+      if (found || !in_column(line.fragments, number).empty()) return;
+      missing = column;
+      found = !line.fragments.empty() && number > line.fragments.front().column;
+    });
+    break_at(line, missing[missing.size() / 2]);
   }
 
   [[nodiscard]] static bool continues(const DrawnLine& a, const DrawnLine& b) {
@@ -143,28 +181,28 @@ class LineRules {
   }
 
   void judge_joint(const DrawnLine& a, const DrawnLine& b) {
-    for (const auto& [column, rows] : b.columns) {
-      const auto same = a.columns.find(column);
-      if (same == a.columns.end()) continue;
-      for (const int64_t row : rows) {
-        if (same->second.contains(row)) break_at(b, column, row);
-      }
+    for (const Cell& cell : b.fragments) {
+      if (std::ranges::binary_search(a.fragments, cell)) break_at(b, cell);
     }
-    if (a.columns.empty() || b.columns.empty()) return;
+    if (a.fragments.empty() || b.fragments.empty()) return;
     const bool ascending = a.shape->ascending();
-    const auto& [last, last_rows] = ascending ? *a.columns.rbegin() : *a.columns.begin();
-    const auto& [first, first_rows] = ascending ? *b.columns.begin() : *b.columns.rbegin();
+    const int64_t last = ascending ? a.fragments.back().column : a.fragments.front().column;
+    const int64_t first = ascending ? b.fragments.front().column : b.fragments.back().column;
+    const std::span<const Cell> last_rows = in_column(a.fragments, last);
+    const std::span<const Cell> first_rows = in_column(b.fragments, first);
     const int64_t gap = (ascending ? first - last : last - first) - 1;
-    const bool rows_touch =
-        *first_rows.begin() <= *last_rows.rbegin() + 1 && *last_rows.begin() <= *first_rows.rbegin() + 1;
-    if (gap > 0 || (gap == 0 && !rows_touch)) break_at(b, first, *first_rows.begin());
+    const bool rows_touch = first_rows.front().row <= last_rows.back().row + 1 &&
+                            last_rows.front().row <= first_rows.back().row + 1;
+    if (gap > 0 || (gap == 0 && !rows_touch)) break_at(b, first_rows.front());
   }
 
   const Case& case_;
   const Expectation& expectation_;
   const Planes& planes_;
-  std::map<uint32_t, DrawnLine> lines_;  // by piece
-  std::set<size_t> broken_;
+  static constexpr uint32_t kNoLine = 0xFFFFFFFFU;
+  std::vector<DrawnLine> lines_;         // in the order of their pieces
+  std::vector<uint32_t> line_of_piece_;  // where it is in lines_
+  std::vector<size_t> broken_;
 };
 
 }  // namespace

@@ -92,6 +92,7 @@ const Possibilities& Replay::at(size_t index) {
   possibilities_.in_doubt = false;
   possibilities_.undefined = false;
   possibilities_.outcomes.assign(1, Outcome{.owner_certain = true, .depth_certain = true});
+  stored_.reset();
   const auto [x, y] = exact::sample_place(case_.target, index).position;
   if (rules_.top_left || rules_.diamond_exit) resolve_ties(x, y);
   for (const Entry& entry : entries_) {
@@ -134,6 +135,7 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
   united.outcomes.clear();
   const auto replay_with = [&](const Entry* chosen) {
     possibilities_ = before;
+    stored_.reset();
     for (const Entry& entry : entries) {
       if (entry.coverage == Coverage::kMust || &entry == chosen) land(entry, true, x, y);
     }
@@ -147,6 +149,7 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
     if (hits.hits == 1 && entry.coverage == Coverage::kMay) replay_with(&entry);
   }
   possibilities_ = std::move(united);
+  stored_.reset();
   return true;
 }
 
@@ -183,23 +186,7 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   const Layer layer{.piece = piece,
                     .state = state,
                     .depth = compares_depth(state) ? depth_of(entry.piece, x, y) : exact::DepthRange{}};
-  bool lands_always = must;
-  bool lands_ever = false;
-  before_.swap(possibilities_.outcomes);
-  possibilities_.outcomes.clear();
-  landed_.clear();
-  for (const Outcome& before : before_) {
-    const DepthResult result = tests(layer, before.depth_writer, x, y);
-    const bool lands = result != DepthResult::kFails;
-    lands_ever = lands_ever || lands;
-    lands_always = lands_always && result == DepthResult::kPasses;
-    // In which order a polygon's edges or corners are drawn is left open: the one before may have been the last.
-    const bool was_first = before.piece != kNoOwner && any_order(layer, before.piece);
-    // The outcomes before differ from each other, and this piece was drawn by none of them.
-    if (!must || result != DepthResult::kPasses || was_first) possibilities_.outcomes.push_back(before);
-    if (!lands) continue;
-    // Whatever was there, the same is on top and stored.
-    if (writes && !landed_.empty()) continue;
+  const auto land_over = [&](const Outcome& before) {
     Outcome after = before;
     after.owner = piece.owner;
     after.piece = entry.piece;
@@ -208,7 +195,39 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
       after.depth_writer = entry.piece;
       after.depth_certain = certain;
     }
-    add_landed(after);
+    return after;
+  };
+  const std::optional<bool> passes = passes_everywhere(layer, x, y);
+  if (passes && !*passes) return;
+  std::vector<Outcome>& outcomes = possibilities_.outcomes;
+  if (passes && (writes || outcomes.size() == 1)) {
+    // Whatever was there, the same is on top and stored.
+    const Outcome after = land_over(outcomes.front());
+    if (must) outcomes.clear();
+    outcomes.push_back(after);
+    possibilities_.least_hits += must ? 1 : 0;
+    ++possibilities_.most_hits;
+    if (writes) store(layer, must);
+    return;
+  }
+  bool lands_always = must;
+  bool lands_ever = false;
+  before_.swap(outcomes);
+  outcomes.clear();
+  landed_.clear();
+  stored_.reset();
+  for (const Outcome& before : before_) {
+    const DepthResult result = tests(layer, before.depth_writer, x, y);
+    const bool lands = result != DepthResult::kFails;
+    lands_ever = lands_ever || lands;
+    lands_always = lands_always && result == DepthResult::kPasses;
+    // In which order a polygon's edges or corners are drawn is left open: the one before may have been the last.
+    const bool was_first = before.piece != kNoOwner && any_order(layer, before.piece);
+    // The outcomes before differ from each other, and this piece was drawn by none of them.
+    if (!must || result != DepthResult::kPasses || was_first) outcomes.push_back(before);
+    if (!lands) continue;
+    if (writes && !landed_.empty()) continue;
+    add_landed(land_over(before));
   }
   possibilities_.least_hits += lands_always ? 1 : 0;
   possibilities_.most_hits += lands_ever ? 1 : 0;
@@ -225,6 +244,40 @@ void Replay::add_landed(const Outcome& outcome) {
   }
   landed_.push_back(possibilities_.outcomes.size());
   possibilities_.outcomes.push_back(outcome);
+}
+
+// What may be stored after the layer landed in every outcome; or else, if it may be left out, too.
+void Replay::store(const Layer& layer, bool must) {
+  if (!compares_depth(layer.state)) {
+    stored_.reset();
+  } else if (must) {
+    stored_ = layer.depth;
+  } else if (stored_) {
+    stored_ = {.low = std::min(stored_->low, layer.depth.low), .high = std::max(stored_->high, layer.depth.high)};
+  }
+}
+
+// Whether the tests pass, or fail, whatever is stored; none where that decides.
+std::optional<bool> Replay::passes_everywhere(const Layer& layer, double x, double y) {
+  if (layer.piece.of_polygon || layer.state.depth_bounds) return std::nullopt;
+  if (case_.target.depth_format == VK_FORMAT_UNDEFINED || !layer.state.depth_test) return true;
+  const VkCompareOp op = layer.state.depth_compare;
+  if (op == VK_COMPARE_OP_ALWAYS) return true;
+  if (op == VK_COMPARE_OP_NEVER) return false;
+  if (!stored_) stored_ = all_stored(x, y);
+  if (layer.depth.high < stored_->low) return (op & VK_COMPARE_OP_LESS) != 0;
+  if (layer.depth.low > stored_->high) return (op & VK_COMPARE_OP_GREATER) != 0;
+  return std::nullopt;
+}
+
+exact::DepthRange Replay::all_stored(double x, double y) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  exact::DepthRange all{.low = kInfinity, .high = -kInfinity};
+  for (const Outcome& outcome : possibilities_.outcomes) {
+    const exact::DepthRange one = depth_of(outcome.depth_writer, x, y);
+    all = {.low = std::min(all.low, one.low), .high = std::max(all.high, one.high)};
+  }
+  return all;
 }
 
 // What may be stored for the piece, or, for none, what the target was cleared to. Asked for again by each layer.

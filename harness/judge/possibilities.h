@@ -101,6 +101,9 @@ class Replay {
   void replay(size_t begin, size_t end, double x, double y);
   bool replay_watertight(size_t begin, size_t end, double x, double y);
   void land(const exact::Entry& entry, bool must, double x, double y);
+  [[nodiscard]] std::optional<bool> passes_everywhere(const Layer& layer, double x, double y);
+  [[nodiscard]] exact::DepthRange all_stored(double x, double y);
+  void store(const Layer& layer, bool must);
   // Whether the stored piece is another part of the layer's outline: of two of them either may be drawn first.
   [[nodiscard]] bool any_order(const Layer& layer, uint32_t stored) const;
   [[nodiscard]] DepthResult depth_test(const Layer& layer, uint32_t stored, double x, double y);
@@ -123,6 +126,7 @@ class Replay {
   size_t index_ = 0;                 // the last of them
   std::vector<exact::Entry> entries_;
   std::vector<Outcome> before_;
+  std::optional<exact::DepthRange> stored_;  // in any of the outcomes so far, if it was asked for
   std::vector<size_t> landed_;  // the outcomes in which the piece being drawn landed
   Possibilities possibilities_;
   bool used_rules_ = false;

@@ -43,10 +43,9 @@ void add(std::array<Interval, 3>& sum, const glm::dvec3& color, const Interval& 
 
 Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& range) {
   const Direction normal = direction_of(range.normal_world, range.normal_error);
-  // A highlight without colour adds nothing, and is most of the work. Asked here, not of the program that is judged.
-  const bool has_highlights = glm::vec3(uniforms.specular) != glm::vec3(0);
+  const bool highlights = has_highlights(uniforms);
   Direction to_eye;
-  if (has_highlights) {
+  if (highlights) {
     to_eye = direction_of(glm::dvec3(uniforms.eye) - range.position_world * static_cast<double>(uniforms.eye.w),
                           range.position_error * static_cast<double>(uniforms.eye.w));
   }
@@ -59,7 +58,7 @@ Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& ra
     const Interval cosines{cosine - normal.error, cosine + normal.error};
     if (cosines.high <= 0) continue;
     add(light.diffuse, color, {std::max(cosines.low, 0.0), std::min(cosines.high, 1 + 0x1p-20)});
-    if (!has_highlights) continue;
+    if (!highlights) continue;
     const double reflected = 2 * cosine * glm::dot(normal.value, to_eye.value) - glm::dot(to_light, to_eye.value);
     const double error = 4 * normal.error + 3 * to_eye.error;
     Interval shine = power_of({reflected - error, reflected + error}, uniforms.shininess);
@@ -70,6 +69,10 @@ Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& ra
 }
 
 }  // namespace
+
+bool has_highlights(const programs::ShadingUniforms& uniforms) {
+  return glm::vec3(uniforms.specular) != glm::vec3(0);
+}
 
 ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRange& range,
                          const SamplerPrecision& precision) {

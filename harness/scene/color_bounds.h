@@ -50,6 +50,11 @@ struct SamplerPrecision {
   uint32_t mipmap_bits = 4;
 };
 
+// A highlight without colour adds nothing, and is most of the work. Asked here, not of the program that is judged.
+bool has_highlights(const programs::ShadingUniforms& uniforms);
+
+// Nothing is read of a range that the shading does not depend on: positions without highlights, normals without lights,
+// uv without a texture.
 ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRange& range,
                          const SamplerPrecision& precision);
 

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "harness/scene/color_bounds.h"
@@ -13,6 +15,12 @@
 
 namespace fillrule::scene {
 namespace {
+
+constexpr auto kAllComponents = [] {
+  std::array<uint32_t, programs::kSceneComponents> all{};
+  std::iota(all.begin(), all.end(), 0U);
+  return all;
+}();
 
 // Which colours parties of equal subpixel bits may have, sample by sample.
 class AllowedColors {
@@ -23,15 +31,15 @@ class AllowedColors {
         shading_(shading),
         error_(error),
         expectation_(expectation),
-        values_(expectation.pieces().size()) {}
+        values_(expectation.pieces().size()) {
+    for (const programs::DrawShading& draw : shading) read_components_.push_back(components_read(draw.uniforms));
+  }
 
-  // The bounds that a colour of this owner is in, or else the first ones that it is not in; none where nothing can be
-  // said.
   struct Answer {
     bool judged = false;
-    bool inside = false;
-    ColorBounds bounds{};
+    const ColorBounds* beyond = nullptr;  // the first bounds of a colour that is in none of them
   };
+  // Of a colour that this owner has there; valid until the next one is asked for.
   Answer of(size_t sample, double x, double y, uint32_t owner, const std::array<float, 3>& color) {
     if (!asked_ || sample != sample_ || owner != owner_) {
       asked_ = true;
@@ -41,14 +49,14 @@ class AllowedColors {
     }
     // Nearly all colours are within the narrow bounds, and hence within the others.
     for (const ColorBounds& bounds : bounds_at(Tolerances::kLeast, x, y).bounds) {
-      if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
+      if (is_inside(color, bounds)) return {.judged = true};
     }
     const Bounds& all = bounds_at(Tolerances::kAll, x, y);
     for (const ColorBounds& bounds : all.bounds) {
-      if (is_inside(color, bounds)) return {.judged = true, .inside = true, .bounds = bounds};
+      if (is_inside(color, bounds)) return {.judged = true};
     }
     if (all.is_open || all.bounds.empty()) return {};
-    return {.judged = true, .bounds = all.bounds.front()};
+    return {.judged = true, .beyond = &all.bounds.front()};
   }
 
  private:
@@ -87,12 +95,11 @@ class AllowedColors {
       if (piece.owner != owner_) continue;
       // The values of such pieces are undefined ground.
       const bool is_defined = !piece.shape->undefined() && !piece.thin;
-      const auto range = is_defined ? range_of(tolerances, entry.piece, piece, x, y) : std::nullopt;
-      if (!range) {
+      if (!is_defined || !find_range(tolerances, entry.piece, piece, x, y)) {
         result.is_open = true;
         return;
       }
-      result.bounds.push_back(color_bounds(shading_[piece.draw], *range, {}));
+      result.bounds.push_back(color_bounds(shading_[piece.draw], range_, {}));
     }
   }
 
@@ -104,64 +111,73 @@ class AllowedColors {
 
   using Components = std::array<exact::Expected, programs::kSceneComponents>;
 
-  static Components components_at(Tolerances tolerances, const exact::PieceValues& values, double x, double y) {
-    Components components;
-    if (tolerances == Tolerances::kLeast) {
-      values.least_varyings(x, y, components);
-    } else {
-      values.varyings(x, y, components);
-    }
+  // Those that the shading depends on.
+  static std::vector<uint32_t> components_read(const programs::ShadingUniforms& uniforms) {
+    std::vector<uint32_t> components;
+    const auto add = [&](uint32_t first, uint32_t count) {
+      for (uint32_t c = first; c < first + count; ++c) components.push_back(c);
+    };
+    if (uniforms.lights >= 0 && has_highlights(uniforms)) add(programs::kPositionComponent, 3);
+    if (uniforms.lights >= 0) add(programs::kNormalComponent, 3);
+    if (uniforms.textured != 0) add(programs::kUvComponent, 2);
     return components;
   }
 
-  std::optional<SurfaceRange> range_of(Tolerances tolerances, uint32_t number, const exact::Piece& piece, double x,
-                                       double y) {
+  // With the least tolerances only what the shading of the draw depends on; with the real ones all components: nobody is
+  // accused where any of them is open. Returns whether they are finite.
+  bool read_components(Tolerances tolerances, uint32_t draw, const exact::PieceValues& values, double x, double y,
+                       Components& components) const {
+    std::span<const uint32_t> wanted = kAllComponents;
+    if (tolerances == Tolerances::kLeast) {
+      wanted = read_components_[draw];
+      values.least_varyings(x, y, wanted, components);
+    } else {
+      values.varyings(x, y, wanted, components);
+    }
+    bool finite = true;
+    for (const uint32_t c : wanted) finite = finite && std::isfinite(components[c].tolerance);
+    return finite;
+  }
+
+  // The range of the surface at (x, y) in range_, as far as the shading depends on it; false where nothing can be said.
+  bool find_range(Tolerances tolerances, uint32_t number, const exact::Piece& piece, double x, double y) {
     const exact::PieceValues& exact_values = values(number, piece);
-    const Components here = components_at(tolerances, exact_values, x, y);
-    SurfaceRange range;
-    double worst = 0;
-    const auto read = [&](const Components& components, uint32_t component, double& value, double& error) {
-      value = components[component].value;
-      error = components[component].tolerance;
-      worst = std::max(worst, error);
-    };
+    if (!read_components(tolerances, piece.draw, exact_values, x, y, here_)) return false;
     for (uint32_t c = 0; c < 3; ++c) {
       const auto i = static_cast<glm::length_t>(c);
-      read(here, programs::kPositionComponent + c, range.position_world[i], range.position_error[i]);
-      read(here, programs::kNormalComponent + c, range.normal_world[i], range.normal_error[i]);
-      range.position_error[i] += error_.position_world;
-      range.normal_error[i] += error_.normal_world;
+      const exact::Expected& position = here_[programs::kPositionComponent + c];
+      const exact::Expected& normal = here_[programs::kNormalComponent + c];
+      range_.position_world[i] = position.value;
+      range_.position_error[i] = position.tolerance + error_.position_world;
+      range_.normal_world[i] = normal.value;
+      range_.normal_error[i] = normal.tolerance + error_.normal_world;
     }
     for (uint32_t c = 0; c < 2; ++c) {
       const auto i = static_cast<glm::length_t>(c);
-      read(here, programs::kUvComponent + c, range.uv[i], range.uv_error[i]);
+      range_.uv[i] = here_[programs::kUvComponent + c].value;
+      range_.uv_error[i] = here_[programs::kUvComponent + c].tolerance;
     }
-    if (shading_[piece.draw].uniforms.mipmapped != 0) {
-      for (uint32_t axis = 0; axis < 2; ++axis) {
-        read_step(
-            axis, [&](double at_x, double at_y) { return components_at(tolerances, exact_values, at_x, at_y); }, read,
-            x, y, range);
-      }
-    }
-    if (!std::isfinite(worst)) return std::nullopt;
-    return range;
+    return shading_[piece.draw].uniforms.mipmapped == 0 ||
+           (find_step(tolerances, piece.draw, exact_values, 0, x, y) &&
+            find_step(tolerances, piece.draw, exact_values, 1, x, y));
   }
 
   // The difference along one axis in the quad of pixels that begins at even coordinates.
-  template <typename ComponentsAt, typename Read>
-  static void read_step(uint32_t axis, const ComponentsAt& components_at, const Read& read, double x, double y,
-                        SurfaceRange& range) {
+  bool find_step(Tolerances tolerances, uint32_t draw, const exact::PieceValues& exact_values, uint32_t axis, double x,
+                 double y) {
     const bool is_first = std::fmod(std::floor(axis == 0 ? x : y), 2) == 0;
     const double to_other = is_first ? 1 : -1;
-    const Components there = components_at(axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other);
+    if (!read_components(tolerances, draw, exact_values, axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other,
+                         there_)) {
+      return false;
+    }
     for (uint32_t c = 0; c < 2; ++c) {
       const auto i = static_cast<glm::length_t>(c);
-      double value = 0;
-      double error = 0;
-      read(there, programs::kUvComponent + c, value, error);
-      range.uv_step[axis][i] = (value - range.uv[i]) * to_other;
-      range.uv_step_error[axis][i] = error + range.uv_error[i];
+      const exact::Expected& uv = there_[programs::kUvComponent + c];
+      range_.uv_step[axis][i] = (uv.value - range_.uv[i]) * to_other;
+      range_.uv_step_error[axis][i] = uv.tolerance + range_.uv_error[i];
     }
+    return true;
   }
 
   const Case& case_;
@@ -169,7 +185,11 @@ class AllowedColors {
   TransformError error_;
   const exact::Expectation& expectation_;
   std::vector<exact::Entry> entries_;
+  Components here_;   // at the sample
+  Components there_;  // at its neighbour of the quad
+  SurfaceRange range_;
   std::vector<std::unique_ptr<exact::PieceValues>> values_;  // of each piece that was asked for
+  std::vector<std::vector<uint32_t>> read_components_;       // of each draw
   // What was asked for last.
   bool asked_ = false;
   size_t sample_ = 0;
@@ -199,8 +219,8 @@ void judge_sample(AllowedColors& allowed, const Planes& planes, size_t index, Pa
                                  static_cast<double>(row) + 0.5, planes.owner[index], color);
   if (!answer.judged) return;
   ++result.judged;
-  if (answer.inside) return;
-  if (result.outside++ == 0) result.first = in_words(planes, index, color, answer.bounds);
+  if (answer.beyond == nullptr) return;
+  if (result.outside++ == 0) result.first = in_words(planes, index, color, *answer.beyond);
 }
 
 }  // namespace

@@ -16,6 +16,8 @@ constexpr double kPlaceRoundings = 6;
 // As in value_bound.cpp: what flushing a denormal to zero loses, as a magnitude that rounds by as much.
 constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+// What lower bounds leave for all that they round in double.
+constexpr double kBelow = 1 - 0x1p-20;
 constexpr float kAnyValue = std::numeric_limits<float>::quiet_NaN();
 
 double infinite_unless(bool known, double value) {
@@ -53,19 +55,30 @@ LineQuantity::LineQuantity(const Segment& segment, const std::array<double, 2>& 
   length_ = std::hypot(x_[1] - x_[0], y_[1] - y_[0]);
   difference_ =
       gradient == WindowLinear::Gradient::kFromDifferences ? std::abs(q[1] - q[0]) : std::abs(q[0]) + std::abs(q[1]);
-  set_condition(q);
   const auto& part = segment.clipped() ? segment.clipped() : segment.unbounded();
-  if (!part || part->whole) return;
-  const double largest = std::max(std::abs(homogeneous[0]), std::abs(homogeneous[1]));
-  const double largest_w = std::max(std::abs(segment.w(0)), std::abs(segment.w(1)));
-  for (const SegmentEnd& end : {part->begin, part->end}) {
-    const double rounded = (largest + std::abs(at(end.along)) * largest_w) / end.w;
-    clipper_ = std::max(clipper_, kClipperRoundings * rounded);
+  if (part && !part->whole) {
+    const double largest = std::max(std::abs(homogeneous[0]), std::abs(homogeneous[1]));
+    const double largest_w = std::max(std::abs(segment.w(0)), std::abs(segment.w(1)));
+    for (const SegmentEnd& end : {part->begin, part->end}) {
+      const double rounded = (largest + std::abs(at(end.along)) * largest_w) / end.w;
+      clipper_ = std::max(clipper_, kClipperRoundings * rounded);
+    }
   }
+  set_condition(q);
 }
 
 void LineQuantity::set_condition(const std::array<double, 2>& q) {
-  largest_ = std::max(std::abs(q[0]), std::abs(q[1]));
+  per_x_ = std::abs(slope_ * direction_x_);
+  per_y_ = std::abs(slope_ * direction_y_);
+  const double flushed = kFlushed * (1 + 2 / length_);
+  from_end_x_ = difference_ / length_ * std::abs(direction_x_) + kPlaceRoundings * per_x_ + flushed;
+  from_end_y_ = difference_ / length_ * std::abs(direction_y_) + kPlaceRoundings * per_y_ + flushed;
+  const double largest = std::max(std::abs(q[0]), std::abs(q[1]));
+  const double largest_x = std::max(std::abs(x_[0] + centre_x_), std::abs(x_[1] + centre_x_));
+  const double largest_y = std::max(std::abs(y_[0] + centre_y_), std::abs(y_[1] + centre_y_));
+  constant_condition_ = kValueRoundings * (largest + kFlushed) + clipper_ +
+                        per_x_ * (kPositionRoundings * largest_x + double{viewport_.width}) +
+                        per_y_ * (kPositionRoundings * largest_y + std::abs(double{viewport_.height}));
 }
 
 LineQuantity LineQuantity::scaled(double factor, double summand, const std::array<double, 2>& q) const {
@@ -79,23 +92,11 @@ LineQuantity LineQuantity::scaled(double factor, double summand, const std::arra
 }
 
 double LineQuantity::condition(double dx, double dy) const {
-  const double gx = std::abs(slope_ * direction_x_);
-  const double gy = std::abs(slope_ * direction_y_);
-  const double flushed = kFlushed * (1 + 2 / length_);
-  const double sum_x = difference_ / length_ * std::abs(direction_x_) + kPlaceRoundings * gx + flushed;
-  const double sum_y = difference_ / length_ * std::abs(direction_y_) + kPlaceRoundings * gy + flushed;
-  double largest_x = 0;
-  double largest_y = 0;
   double from_end = 0;
   for (size_t i = 0; i < 2; ++i) {
-    largest_x = std::max(largest_x, std::abs(x_[i] + centre_x_));
-    largest_y = std::max(largest_y, std::abs(y_[i] + centre_y_));
-    from_end = std::max(from_end, sum_x * std::abs(dx - x_[i]) + sum_y * std::abs(dy - y_[i]));
+    from_end = std::max(from_end, from_end_x_ * std::abs(dx - x_[i]) + from_end_y_ * std::abs(dy - y_[i]));
   }
-  return kValueRoundings * (largest_ + kFlushed) + clipper_ +
-         gx * (kPositionRoundings * largest_x + double{viewport_.width} + std::abs(dx + centre_x_)) +
-         gy * (kPositionRoundings * largest_y + std::abs(double{viewport_.height}) + std::abs(dy + centre_y_)) +
-         from_end;
+  return constant_condition_ + per_x_ * std::abs(dx + centre_x_) + per_y_ * std::abs(dy + centre_y_) + from_end;
 }
 
 LineValues::LineValues(const Segment& segment, const Latitude& latitude, Rule rule)
@@ -166,6 +167,27 @@ double LineValues::moved(double along, double dx, double dy) const {
   return shares * (moves_.along + moves_.slop) + std::abs(segment_.distance(dx, dy)) * moves_.turn;
 }
 
+// The shares of both ends add up to 1, and so are no less than that in magnitude.
+LineValues::Local LineValues::local_linear(const LineQuantity& quantity, double along) const {
+  const double moved = std::abs(quantity.slope()) * (moves_.along + moves_.slop);
+  return {.value = quantity.at(along), .least = kBelow * (moved + kUnitRoundoff * quantity.least_condition())};
+}
+
+// As TriangleValues::least_smooth(): the numerator n and 1/w = r give v(p + d) - v = (n' - v r') d / r(p + d), where
+// d and -d are both tried, and one of both r is at most r(p).
+LineValues::Local LineValues::local_smooth(const LineQuantity& numerator, double along) const {
+  const double w = 1 / reciprocal_w_.at(along);
+  const double value = numerator.at(along) * w;
+  const double moved = std::abs(numerator.slope() - value * reciprocal_w_.slope()) * (moves_.along + moves_.slop);
+  const double rounded = numerator.least_condition() + std::abs(value) * reciprocal_w_.least_condition();
+  return {.value = value, .least = kBelow * (moved + kUnitRoundoff * rounded) * std::abs(w)};
+}
+
+LineValues::Local LineValues::local(const Component& component, double along) const {
+  const bool is_smooth = component.interpolation == Interpolation::kSmooth;
+  return is_smooth ? local_smooth(component.numerator, along) : local_linear(component.numerator, along);
+}
+
 LineValues::Judgement LineValues::linear(const LineQuantity& quantity, float value, double x, double y) const {
   const double dx = x - segment_.centre_x();
   const double dy = y - segment_.centre_y();
@@ -183,7 +205,9 @@ LineValues::Judgement LineValues::smooth(const LineQuantity& numerator, float va
   const Interval along = places(dx, dy);
   const auto at = [&](double place) { return numerator.at(place) / reciprocal_w_.at(place); };
   Tolerance tolerance;
-  for (const double place : {along.low, along.high}) {
+  const size_t places = along.low == along.high ? 1 : 2;
+  for (size_t i = 0; i < places; ++i) {
+    const double place = i == 0 ? along.low : along.high;
     const double shift = moved(place, dx, dy);
     for (const double there : {place - shift, place + shift}) {
       const bool in_front = reciprocal_w_.at(there) > 0;
@@ -253,8 +277,29 @@ Tolerance LineValues::depth_tolerance(double x, double y) const {
   return tolerance;
 }
 
-Expected LineValues::varying_for(uint32_t component, float value, double x, double y) const {
-  return varying(component, value, x, y).expected;
+Expected LineValues::varying_for(uint32_t number, float value, double x, double y) const {
+  const Component& component = components_[number];
+  if (component.judged) {
+    const Expected expected = least_varying(component, value, places(x - segment_.centre_x(), y - segment_.centre_y()));
+    if (std::abs(double{value} - expected.value) <= expected.tolerance) return expected;
+  }
+  return varying(number, value, x, y).expected;
+}
+
+void LineValues::least_varyings(double x, double y, std::span<const uint32_t> wanted,
+                                std::span<Expected> components) const {
+  const Interval along = places(x - segment_.centre_x(), y - segment_.centre_y());
+  for (const uint32_t c : wanted) {
+    const Component& component = components_[c];
+    components[c] = component.judged ? least_varying(component, kAnyValue, along) : varying_for(c, kAnyValue, x, y);
+  }
+}
+
+Expected LineValues::least_varying(const Component& component, float value, const Interval& along) const {
+  const Local a = local(component, along.low);
+  if (along.low == along.high) return {.value = a.value, .tolerance = a.least};
+  const Local b = local(component, along.high);
+  return nearest(value, a.value, b.value, std::min(a.least, b.least));
 }
 
 Tolerance LineValues::varying_tolerance(uint32_t component, double x, double y) const {

@@ -32,6 +32,8 @@ class LineQuantity {
   [[nodiscard]] double length() const { return length_; }  // between both ends in the window, pixels
   // C(q, p) in units of 2^-24: README.md.
   [[nodiscard]] double condition(double dx, double dy) const;
+  // The share of it that is the same everywhere.
+  [[nodiscard]] double least_condition() const { return constant_condition_; }
   // q times `factor` plus `summand`, of window values `q`.
   [[nodiscard]] LineQuantity scaled(double factor, double summand, const std::array<double, 2>& q) const;
 
@@ -39,17 +41,22 @@ class LineQuantity {
   void set_condition(const std::array<double, 2>& q);
   double slope_ = 0;
   double constant_ = 0;
-  double largest_ = 0;
   double difference_ = 0;  // what the gradient is computed from, over the line's length
   double clipper_ = 0;     // what a clipper rounds on the way to a new end, in units of 2^-24
   double length_ = 0;
-  std::array<double, 2> x_{};  // pixels from the viewport's centre
+  std::array<double, 2> x_{};  // of the ends, pixels from the viewport's centre
   std::array<double, 2> y_{};
   double direction_x_ = 0;
   double direction_y_ = 0;
   VkViewport viewport_{};
   double centre_x_ = 0;
   double centre_y_ = 0;
+  // What the condition is made of: a constant, by the pixel of the place's coordinates, and by the pixel from an end.
+  double constant_condition_ = 0;
+  double per_x_ = 0;
+  double per_y_ = 0;
+  double from_end_x_ = 0;
+  double from_end_y_ = 0;
 };
 
 // The values of one line. Not for undefined ones, nor for those that are a point.
@@ -86,6 +93,8 @@ class LineValues final : public PieceValues {
   [[nodiscard]] float provoking(uint32_t component) const override { return components_[component].provoking; }
   [[nodiscard]] bool judged(uint32_t component) const override { return components_[component].judged; }
   [[nodiscard]] Expected varying_for(uint32_t component, float value, double x, double y) const override;
+  void least_varyings(double x, double y, std::span<const uint32_t> wanted,
+                      std::span<Expected> components) const override;
   [[nodiscard]] Tolerance varying_tolerance(uint32_t component, double x, double y) const override;
   [[nodiscard]] double varying_error(uint32_t component, double x, double y) const override;
   [[nodiscard]] double exact_varying(uint32_t component, double x, double y) const override;
@@ -102,9 +111,19 @@ class LineValues final : public PieceValues {
     Expected expected;
     Tolerance tolerance;
   };
+  // A quantity at a place along the line.
+  struct Local {
+    double value = 0;
+    double least = 0;  // a lower bound of its tolerance
+  };
   [[nodiscard]] double bias_rounding(double biased) const;
   [[nodiscard]] Interval places(double dx, double dy) const;
   [[nodiscard]] double moved(double along, double dx, double dy) const;
+  [[nodiscard]] Local local_linear(const LineQuantity& quantity, double along) const;
+  [[nodiscard]] Local local_smooth(const LineQuantity& numerator, double along) const;
+  [[nodiscard]] Local local(const Component& component, double along) const;
+  // Of the nearest value to this one, as in varying_for(), with a lower bound of its tolerance.
+  [[nodiscard]] Expected least_varying(const Component& component, float value, const Interval& along) const;
   [[nodiscard]] Judgement linear(const LineQuantity& quantity, float value, double x, double y) const;
   [[nodiscard]] Judgement smooth(const LineQuantity& numerator, float value, double x, double y) const;
   [[nodiscard]] Judgement varying(uint32_t number, float value, double x, double y) const;

@@ -54,10 +54,11 @@ class PieceValues {
   [[nodiscard]] virtual bool judged(uint32_t component) const = 0;
   // The same as of depth, for components that are not flat.
   [[nodiscard]] virtual Expected varying_for(uint32_t component, float value, double x, double y) const = 0;
-  // ... of the first components, as many as there is room for, with all of the tolerances.
-  void varyings(double x, double y, std::span<Expected> components) const;
+  // ... of the components `wanted`, each put in its place among all, with all of the tolerances.
+  void varyings(double x, double y, std::span<const uint32_t> wanted, std::span<Expected> components) const;
   // ... with tolerances that are no more than those: cheap, for the many values that are well within them.
-  virtual void least_varyings(double x, double y, std::span<Expected> components) const;
+  virtual void least_varyings(double x, double y, std::span<const uint32_t> wanted,
+                              std::span<Expected> components) const;
   [[nodiscard]] virtual Tolerance varying_tolerance(uint32_t component, double x, double y) const = 0;
   [[nodiscard]] virtual double varying_error(uint32_t component, double x, double y) const = 0;
   [[nodiscard]] virtual double exact_varying(uint32_t component, double x, double y) const = 0;

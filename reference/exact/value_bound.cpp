@@ -10,9 +10,9 @@
 namespace fillrule::exact {
 namespace {
 
-// A vertex's value is rounded about twice before it is used (window_linear.cpp).
-constexpr double kValueRoundings = 2;
 constexpr double kUnbounded = std::numeric_limits<double>::infinity();
+// What lower bounds leave for all that they round in double.
+constexpr double kBelow = 1 - 0x1p-20;
 
 }  // namespace
 
@@ -22,15 +22,17 @@ double Tolerance::total() const {
   return sum;
 }
 
-void PieceValues::varyings(double x, double y, std::span<Expected> components) const {
-  for (uint32_t c = 0; c < components.size(); ++c) {
+void PieceValues::varyings(double x, double y, std::span<const uint32_t> wanted,
+                           std::span<Expected> components) const {
+  for (const uint32_t c : wanted) {
     // NaN is within no tolerance, so that all of it is worked out.
     components[c] = varying_for(c, std::numeric_limits<float>::quiet_NaN(), x, y);
   }
 }
 
-void PieceValues::least_varyings(double x, double y, std::span<Expected> components) const {
-  varyings(x, y, components);
+void PieceValues::least_varyings(double x, double y, std::span<const uint32_t> wanted,
+                                 std::span<Expected> components) const {
+  varyings(x, y, wanted, components);
 }
 
 TriangleValues::TriangleValues(const Triangle& triangle, const Latitude& latitude)
@@ -73,19 +75,18 @@ Tolerance TriangleValues::linear_tolerance(const WindowLinear& quantity, double 
 }
 
 double TriangleValues::least_linear(const WindowLinear& quantity) const {
-  return quantity.form().reach(latitude_.x, latitude_.y) + kValueRoundings * kUnitRoundoff * quantity.largest();
+  return kBelow * (quantity.form().reach(latitude_.x, latitude_.y) + kUnitRoundoff * quantity.least_condition());
 }
 
-// A lower bound of the tolerance of a smooth varying of value v, times 1/w. C >= 2 max |q_i| for both quantities. The
-// numerator n and 1/w = r give v(p + d) - v = (dn - v dr).d / r(p + d), where d and -d are both tried, A is 1 at
-// least, and one of both r is at most r(p). The last factor leaves room for what all of that rounds in double.
+// A lower bound of the tolerance of a smooth varying of value v, times 1/w. The numerator n and 1/w = r give
+// v(p + d) - v = (dn - v dr).d / r(p + d), where d and -d are both tried, A is 1 at least, and one of both r is at most
+// r(p).
 double TriangleValues::least_smooth(const Component& component, double value) const {
-  constexpr double kBelow = 1 - 0x1p-20;
   const LinearForm& n = component.numerator.form();
   const LinearForm& r = reciprocal_w_.form();
-  const double rounded = component.numerator.largest() + std::abs(value) * reciprocal_w_.largest();
+  const double rounded = component.numerator.least_condition() + std::abs(value) * reciprocal_w_.least_condition();
   const double moved = latitude_.x * std::abs(n.a - value * r.a) + latitude_.y * std::abs(n.b - value * r.b);
-  return kBelow * (kValueRoundings * kUnitRoundoff * rounded + moved);
+  return kBelow * (kUnitRoundoff * rounded + moved);
 }
 
 // Rounding may move the vertices, hence the gradient: g' with g'.(e_i + D_i) = g.e_i, |g'.D_i| <= 2 R', R' =
@@ -204,11 +205,12 @@ Expected TriangleValues::varying_for(const Component& component, float value, do
   return {.value = exact, .tolerance = smooth_tolerance(component, exact, dx, dy).total()};
 }
 
-void TriangleValues::least_varyings(double x, double y, std::span<Expected> components) const {
+void TriangleValues::least_varyings(double x, double y, std::span<const uint32_t> wanted,
+                                    std::span<Expected> components) const {
   const double dx = x - triangle_->centre_x();
   const double dy = y - triangle_->centre_y();
   const double w = 1 / reciprocal_w_.at(dx, dy);
-  for (size_t c = 0; c < components.size(); ++c) {
+  for (const uint32_t c : wanted) {
     const Component& component = components_[c];
     if (component.interpolation == Interpolation::kFlat || !component.judged) {
       components[c] = varying(component, x, y);

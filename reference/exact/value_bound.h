@@ -62,7 +62,8 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] Expected varying_for(uint32_t component, float value, double x, double y) const override {
     return varying_for(components_[component], value, x, y);
   }
-  void least_varyings(double x, double y, std::span<Expected> components) const override;
+  void least_varyings(double x, double y, std::span<const uint32_t> wanted,
+                      std::span<Expected> components) const override;
   [[nodiscard]] Tolerance varying_tolerance(uint32_t component, double x, double y) const override {
     return varying_tolerance(components_[component], x, y);
   }
@@ -91,7 +92,7 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] PolygonDepth polygon_depth() const;
   [[nodiscard]] double form_error(const LinearForm& form, double dx, double dy) const;
   [[nodiscard]] Tolerance linear_tolerance(const WindowLinear& quantity, double dx, double dy) const;
-  // A lower bound of the tolerance of a quantity that is linear in the window: A >= 1 and C >= max |q_i|.
+  // A lower bound of the tolerance of a quantity that is linear in the window: A >= 1.
   [[nodiscard]] double least_linear(const WindowLinear& quantity) const;
   [[nodiscard]] double least_smooth(const Component& component, double value) const;
   [[nodiscard]] Tolerance smooth_tolerance(const Component& component, double value, double dx, double dy) const;

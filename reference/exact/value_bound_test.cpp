@@ -121,8 +121,9 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
       EXPECT_LE(least_in_row(values, linear, x, y), values.varying(linear, x, y).tolerance) << i;
       std::array<Expected, 2> all;
       std::array<Expected, 2> least;
-      values.varyings(x, y, all);
-      values.least_varyings(x, y, least);
+      constexpr std::array<uint32_t, 2> kBoth{0, 1};
+      values.varyings(x, y, kBoth, all);
+      values.least_varyings(x, y, kBoth, least);
       for (size_t c = 0; c < all.size(); ++c) {
         EXPECT_LE(least[c].tolerance, all[c].tolerance) << i;
         EXPECT_LE(std::abs(least[c].value - all[c].value), 0x1p-50 * std::abs(all[c].value)) << i;

@@ -19,19 +19,20 @@ constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
 
 WindowLinear::WindowLinear(const Projection& projection, const LinearForm& form, const std::array<double, 3>& q,
                            Gradient gradient, double magnitude)
-    : form_(form), largest_(magnitude), centre_x_(projection.centre_x), centre_y_(projection.centre_y) {
+    : form_(form), centre_x_(projection.centre_x), centre_y_(projection.centre_y) {
   std::array<glm::dvec2, 3> p;
   for (size_t i = 0; i < 3; ++i) p[i] = {projection.x[i], projection.y[i]};
   const double gx = std::abs(form.a);
   const double gy = std::abs(form.b);
+  double largest = magnitude;
   double largest_x = 0;
   double largest_y = 0;
   for (size_t i = 0; i < 3; ++i) {
-    largest_ = std::max(largest_, std::abs(q[i]));
+    largest = std::max(largest, std::abs(q[i]));
     largest_x = std::max(largest_x, std::abs(p[i].x + centre_x_));
     largest_y = std::max(largest_y, std::abs(p[i].y + centre_y_));
   }
-  constant_ = kValueRoundings * (largest_ + kFlushed) + gx * (kPositionRoundings * largest_x + projection.width) +
+  constant_ = kValueRoundings * (largest + kFlushed) + gx * (kPositionRoundings * largest_x + projection.width) +
               gy * (kPositionRoundings * largest_y + std::abs(projection.height));
   for (size_t o = 0; o < 3; ++o) {
     const size_t i1 = (o + 1) % 3;

@@ -32,16 +32,16 @@ class WindowLinear {
 
   [[nodiscard]] double at(double dx, double dy) const { return form_.at(dx, dy); }
   [[nodiscard]] const LinearForm& form() const { return form_; }
-  [[nodiscard]] double largest() const { return largest_; }
   // C(q, p): the magnitudes that float32 rounds on the way to q at p, the largest sum over the choices of the vertex
   // that the plane is anchored at. A convex function of the position.
   [[nodiscard]] double condition(double dx, double dy) const;
+  // The share of it that is the same everywhere.
+  [[nodiscard]] double least_condition() const { return constant_; }
   // How much the gradient's computation rounds, in units of kUnitRoundoff: the sum of both coordinates' shares.
   [[nodiscard]] double gradient_condition() const;
 
  private:
   LinearForm form_;
-  double largest_ = 0;   // max |q_i|, or the magnitude
   double constant_ = 0;  // the share of C that does not depend on p
   double centre_x_ = 0;
   double centre_y_ = 0;
