@@ -189,7 +189,8 @@ Classification BresenhamLine::classify(double x, double y, const Latitude& latit
   return {};
 }
 
-BlockClassification BresenhamLine::classify_block(const Block& block, const Latitude& latitude) const {
+BlockClassification BresenhamLine::classify_block(const Block& block, const Latitude& latitude,
+                                                  DoubtBits /*undecided*/) const {
   if (undefined() || segment_.is_point() || !bounded_) return {};
   if (!segment_.unbounded()) return {.coverage = Coverage::kMustNot};
   const double distance = std::abs(segment_.distance(block.x - segment_.centre_x(), block.y - segment_.centre_y()));

@@ -29,7 +29,8 @@ class BresenhamLine final : public Shape {
   // kMustNot. What holds for the centre of a pixel holds for all its samples. Doubt is kDoubtShape.
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
                                         DoubtBits undecided = kEveryBoundary) const override;
-  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
+  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude,
+                                                   DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] bool undefined() const override { return segment_.undefined() || undefined_width_; }
   [[nodiscard]] bool inside_volume() const override { return segment_.inside_volume(); }
   [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;

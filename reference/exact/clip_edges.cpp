@@ -9,7 +9,8 @@ Classification ClipEdges::classify(double x, double y, const Latitude& latitude,
   return near_plane ? Classification{.coverage = Coverage::kMay, .doubt = kDoubtShape} : Classification{};
 }
 
-BlockClassification ClipEdges::classify_block(const Block& block, const Latitude& latitude) const {
+BlockClassification ClipEdges::classify_block(const Block& block, const Latitude& latitude,
+                                              DoubtBits /*undecided*/) const {
   const BlockClassification filled = polygon_.classify_block(block, grown(latitude));
   const bool nothing = filled.coverage != Coverage::kMay || (filled.undecided & ~kDoubtEdges) == 0;
   return {.coverage = nothing ? Coverage::kMustNot : Coverage::kMay};

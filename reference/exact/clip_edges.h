@@ -19,7 +19,8 @@ class ClipEdges final : public Shape {
   [[nodiscard]] bool inside_volume() const override { return false; }
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
                                         DoubtBits undecided = kEveryBoundary) const override;
-  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
+  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude,
+                                                   DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;
   [[nodiscard]] bool owns(double /*x*/, double /*y*/) const override { return false; }
   [[nodiscard]] bool on_grid(uint32_t /*subpixel_bits*/) const override { return false; }

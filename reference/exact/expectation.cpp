@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "reference/exact/assembly.h"
 #include "reference/exact/clip_edges.h"
@@ -12,8 +13,8 @@ namespace fillrule::exact {
 namespace {
 
 // Samples are classified in blocks of this many pixels squared, and these in quarters down to blocks so small, so
-// that only those near a boundary are asked one by one.
-constexpr int32_t kBlockSize = 8;
+// that only those near a boundary are asked one by one, and about the boundaries that are near alone.
+constexpr int32_t kBlockSize = 64;
 constexpr uint32_t kLeastBlockSize = 2;  // of one sample a pixel; of several, 1
 
 bool culled(const RasterState& state, bool front_facing) {
@@ -136,7 +137,7 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
         const VkRect2D block{.offset = {.x = x, .y = y},
                              .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
                                         .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
-        classify_block(test_case, piece, block, visit);
+        classify_block(test_case, piece, block, kEveryBoundary, visit);
       }
     }
   };
@@ -144,18 +145,18 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
   const bool is_triangle = piece.triangle() != nullptr;
   bool certain = false;
   if (!is_culled) {
-    for_each_block([&](size_t sample, const Classification& classification) {
-      certain = certain || (is_triangle && classification.coverage == Coverage::kMust);
-      append(sample, classification, number);
+    for_each_block([&](const Classified& classified) {
+      certain = certain || (is_triangle && classified.classification.coverage == Coverage::kMust);
+      append(classified, number);
     });
   } else {
     std::vector<Classified> open;
-    for_each_block([&](size_t sample, const Classification& classification) {
-      certain = certain || (is_triangle && classification.coverage == Coverage::kMust);
-      open.push_back({.sample = sample, .classification = classification});
+    for_each_block([&](const Classified& classified) {
+      certain = certain || (is_triangle && classified.classification.coverage == Coverage::kMust);
+      open.push_back(classified);
     });
     if (!certain) {
-      for (const Classified& classified : open) append(classified.sample, classified.classification, number);
+      for (const Classified& classified : open) append(classified, number);
     }
   }
   if (certain) pieces_[number].facing_in_doubt = false;
@@ -163,34 +164,70 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
 
 template <typename Visit>
 void Expectation::classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block,
-                                 const Visit& visit) const {
+                                 DoubtBits undecided, const Visit& visit) const {
+  const size_t samples = sample_locations(test_case.target.samples).size();
+  const BlockClassification whole =
+      piece.shape->classify_block(block_of(block, samples == 1), piece.latitude, undecided);
+  if (whole.coverage == Coverage::kMustNot) return;
+  if (whole.coverage == Coverage::kMust) {
+    classify_samples(test_case, piece, block, 0, visit);
+    return;
+  }
+  const uint32_t least_size = samples == 1 ? kLeastBlockSize : 1;
+  if (std::max(block.extent.width, block.extent.height) > least_size) {
+    for_each_quarter(
+        block, [&](const VkRect2D& quarter) { classify_block(test_case, piece, quarter, whole.undecided, visit); });
+    return;
+  }
+  classify_samples(test_case, piece, block, whole.undecided, visit);
+}
+
+// Each sample of the block, of which the boundaries `undecided` have to be asked: none where all are covered.
+template <typename Visit>
+void Expectation::classify_samples(const Case& test_case, const Piece& piece, const VkRect2D& block,
+                                   DoubtBits undecided, const Visit& visit) const {
   const uint32_t width = test_case.target.width;
   const std::span<const Position> locations = sample_locations(test_case.target.samples);
   const uint32_t sample_mask = test_case.draws[piece.draw].state.sample_mask;
-  const BlockClassification whole =
-      piece.shape->classify_block(block_of(block, locations.size() == 1), piece.latitude);
-  if (whole.coverage == Coverage::kMustNot) return;
-  const uint32_t least_size = locations.size() == 1 ? kLeastBlockSize : 1;
-  if (whole.coverage == Coverage::kMay && std::max(block.extent.width, block.extent.height) > least_size) {
-    for_each_quarter(block, [&](const VkRect2D& quarter) { classify_block(test_case, piece, quarter, visit); });
-    return;
-  }
+  const uint32_t all_samples = (1U << locations.size()) - 1;
+  const auto opened = [&piece](const Classification& classification) {
+    return piece.open ? Classification{.coverage = Coverage::kMay, .doubt = kDoubtShape} : classification;
+  };
   for (uint32_t row = 0; row < block.extent.height; ++row) {
     const uint32_t y = static_cast<uint32_t>(block.offset.y) + row;
+    const size_t first = (size_t{y} * width + static_cast<uint32_t>(block.offset.x)) * locations.size();
+    if (undecided == 0 && (sample_mask & all_samples) == all_samples) {
+      visit({.begin = first,
+             .end = first + size_t{block.extent.width} * locations.size(),
+             .classification = opened({.coverage = Coverage::kMust})});
+      continue;
+    }
     for (uint32_t column = 0; column < block.extent.width; ++column) {
       const uint32_t x = static_cast<uint32_t>(block.offset.x) + column;
       for (size_t sample = 0; sample < locations.size(); ++sample) {
         if ((sample_mask >> sample & 1U) == 0) continue;
         Classification classification{.coverage = Coverage::kMust};
-        if (whole.coverage == Coverage::kMay) {
+        if (undecided != 0) {
           const Position& location = locations[sample];
-          classification = piece.shape->classify(x + location.x, y + location.y, piece.latitude, whole.undecided);
+          classification = piece.shape->classify(x + location.x, y + location.y, piece.latitude, undecided);
           if (classification.coverage == Coverage::kMustNot) continue;
         }
-        if (piece.open) classification = {.coverage = Coverage::kMay, .doubt = kDoubtShape};
-        visit((size_t{y} * width + x) * locations.size() + sample, classification);
+        const size_t index = first + column * locations.size() + sample;
+        visit({.begin = index, .end = index + 1, .classification = opened(classification)});
       }
     }
+  }
+}
+
+void Expectation::append(const Classified& classified, uint32_t number) {
+  const std::span<uint32_t> sole(sole_.data() + classified.begin, sole_.data() + classified.end);
+  const bool is_first = std::ranges::all_of(sole, [](uint32_t piece) { return piece == kNothing; });
+  if (is_first && classified.classification.coverage == Coverage::kMust) {
+    std::ranges::fill(sole, number);
+    return;
+  }
+  for (size_t sample = classified.begin; sample < classified.end; ++sample) {
+    append(sample, classified.classification, number);
   }
 }
 

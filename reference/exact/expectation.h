@@ -70,8 +70,10 @@ class Expectation {
     Entry entry;
     uint32_t next = 0;
   };
+  // Samples [begin, end) that are classified alike.
   struct Classified {
-    size_t sample = 0;
+    size_t begin = 0;
+    size_t end = 0;
     Classification classification;
   };
   struct SampleList {
@@ -81,7 +83,12 @@ class Expectation {
   void add_draw(const Case& test_case, uint32_t draw, uint32_t first_primitive, uint32_t subpixel_bits);
   void add_piece(const Case& test_case, Piece added);
   template <typename Visit>
-  void classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block, const Visit& visit) const;
+  void classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block, DoubtBits undecided,
+                      const Visit& visit) const;
+  template <typename Visit>
+  void classify_samples(const Case& test_case, const Piece& piece, const VkRect2D& block, DoubtBits undecided,
+                        const Visit& visit) const;
+  void append(const Classified& classified, uint32_t number);
   void append(size_t sample, const Classification& classification, uint32_t number);
   void append_node(size_t sample, const Entry& entry);
 

@@ -108,7 +108,8 @@ Classification Line::classify(double x, double y, const Latitude& latitude, Doub
   return answer(std::min(std::max(narrow, wide), Coverage::kMay));
 }
 
-BlockClassification Line::classify_block(const Block& block, const Latitude& latitude) const {
+BlockClassification Line::classify_block(const Block& block, const Latitude& latitude,
+                                         DoubtBits /*undecided*/) const {
   if (undefined()) return {};
   if (!segment_.unbounded()) return {.coverage = Coverage::kMustNot};
   const SegmentMoves moves = segment_.moves(latitude);

@@ -31,7 +31,8 @@ class Line final : public Shape {
   [[nodiscard]] bool inside_volume() const override { return segment_.inside_volume(); }
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
                                         DoubtBits undecided = kEveryBoundary) const override;
-  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
+  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude,
+                                                   DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;
   // Where the corners of the rectangle lie is a matter of rounding, whatever grid the ends are on: no tie is told.
   [[nodiscard]] bool owns(double /*x*/, double /*y*/) const override { return false; }

@@ -280,7 +280,8 @@ Tolerance LineValues::depth_tolerance(double x, double y) const {
 Expected LineValues::varying_for(uint32_t number, float value, double x, double y) const {
   const Component& component = components_[number];
   if (component.judged) {
-    const Expected expected = least_varying(component, value, places(x - segment_.centre_x(), y - segment_.centre_y()));
+    const Expected expected =
+        least_varying(component, value, places(x - segment_.centre_x(), y - segment_.centre_y()));
     if (std::abs(double{value} - expected.value) <= expected.tolerance) return expected;
   }
   return varying(number, value, x, y).expected;

@@ -59,7 +59,8 @@ Classification Point::classify(double x, double y, const Latitude& latitude, Dou
   return inside && viewport == Coverage::kMust ? Classification{.coverage = Coverage::kMust} : kMaybe;
 }
 
-BlockClassification Point::classify_block(const Block& /*block*/, const Latitude& /*latitude*/) const {
+BlockClassification Point::classify_block(const Block& /*block*/, const Latitude& /*latitude*/,
+                                          DoubtBits /*undecided*/) const {
   return {.coverage = visible_ ? Coverage::kMay : Coverage::kMustNot};
 }
 

@@ -23,7 +23,8 @@ class Point final : public Shape {
   [[nodiscard]] bool inside_volume() const override { return !undefined_ && visible_; }
   [[nodiscard]] Classification classify(double x, double y, const Latitude& latitude,
                                         DoubtBits undecided = kEveryBoundary) const override;
-  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude) const override;
+  [[nodiscard]] BlockClassification classify_block(const Block& block, const Latitude& latitude,
+                                                   DoubtBits undecided = kEveryBoundary) const override;
   [[nodiscard]] std::array<double, 4> bounds(const Latitude& latitude) const override;
   // Which sides of the square include a sample that they touch, no rule says.
   [[nodiscard]] bool owns(double /*x*/, double /*y*/) const override { return false; }

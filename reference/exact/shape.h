@@ -72,8 +72,9 @@ class Shape {
   [[nodiscard]] virtual Classification classify(double x, double y, const Latitude& latitude,
                                                 DoubtBits undecided = kEveryBoundary) const = 0;
 
-  // What is cheap to tell of all samples in the block at once.
-  [[nodiscard]] virtual BlockClassification classify_block(const Block& block, const Latitude& latitude) const = 0;
+  // What is cheap to tell of all samples in the block at once. Only the boundaries in `undecided` are asked.
+  [[nodiscard]] virtual BlockClassification classify_block(const Block& block, const Latitude& latitude,
+                                                           DoubtBits undecided = kEveryBoundary) const = 0;
 
   // True if the sample is inside with ties resolved by the top-left rule on the exact edges: exactly one of two
   // triangles that share an edge owns a sample on it.

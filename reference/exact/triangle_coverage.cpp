@@ -139,26 +139,28 @@ Classification Triangle::classify_without_area(double x, double y, const Latitud
                                         : Classification{.coverage = Coverage::kMay, .doubt = kDoubtEdges};
 }
 
-BlockClassification Triangle::classify_block(const Block& block, const Latitude& latitude) const {
+BlockClassification Triangle::classify_block(const Block& block, const Latitude& latitude,
+                                             DoubtBits undecided) const {
   if (undefined_ || orientation_ == 0) return {};
   if (outside_) return {.coverage = Coverage::kMustNot};
   const double dx = offset(block.x, centre_x_);
   const double dy = offset(block.y, centre_y_);
   const double far_dx = std::abs(dx) + block.half_width;
   const double far_dy = std::abs(dy) + block.half_height;
-  unsigned undecided = 0;
+  unsigned open = 0;
   // A millionth of a pixel covers the rounding of these few operations on coordinates within the viewport.
   const bool inside_viewport = double{viewport_.width} / 2 - far_dx > latitude.x + 0x1p-20 &&
                                std::abs(double{viewport_.height}) / 2 - far_dy > latitude.y + 0x1p-20;
-  if (!inside_viewport) undecided |= kDoubtViewport;
+  if (!inside_viewport) open |= undecided & kDoubtViewport;
   // False if the whole block is outside.
   const auto meet = [&](const LinearForm& form, unsigned boundary) {
+    if ((undecided & boundary) == 0) return true;
     const double value = form.at(dx, dy);
     const double radius = form.reach(block.half_width + latitude.x, block.half_height + latitude.y);
     const double slack =
         form.error_at(far_dx, far_dy) * 2 + 0x1p-48 * radius +
         form.reach(0x1p-51 * (far_dx + std::abs(centre_x_)), 0x1p-51 * (far_dy + std::abs(centre_y_)));
-    if (!(value > radius + slack)) undecided |= boundary;
+    if (!(value > radius + slack)) open |= boundary;
     return value >= -radius - slack;
   };
   constexpr BlockClassification kOutside{.coverage = Coverage::kMustNot};
@@ -168,6 +170,8 @@ BlockClassification Triangle::classify_block(const Block& block, const Latitude&
   if (needs_near_ && !meet(near_, kDoubtNear)) return kOutside;
   if (needs_far_ && !meet(far_, kDoubtFar)) return kOutside;
   for (const ClipPlane& plane : clip_planes_) {
+    const unsigned boundary = unsigned{kDoubtClipPlane0} << plane.number;
+    if ((undecided & boundary) == 0) continue;
     // The reach is a convex function of the position: largest at a corner.
     double reach = 0;
     for (const double x : {dx - block.half_width, dx + block.half_width}) {
@@ -178,10 +182,9 @@ BlockClassification Triangle::classify_block(const Block& block, const Latitude&
     reach += plane.form.reach(block.half_width, block.half_height) * (1 + 0x1p-48);
     const double value = plane.form.at(dx, dy);
     if (value < -reach) return kOutside;
-    if (!(value > reach)) undecided |= unsigned{kDoubtClipPlane0} << plane.number;
+    if (!(value > reach)) open |= boundary;
   }
-  return {.coverage = undecided == 0 ? Coverage::kMust : Coverage::kMay,
-          .undecided = static_cast<DoubtBits>(undecided)};
+  return {.coverage = open == 0 ? Coverage::kMust : Coverage::kMay, .undecided = static_cast<DoubtBits>(open)};
 }
 
 int Triangle::side_of(int edge_number, double dx, double dy) const {

@@ -79,8 +79,8 @@ double TriangleValues::least_linear(const WindowLinear& quantity) const {
 }
 
 // A lower bound of the tolerance of a smooth varying of value v, times 1/w. The numerator n and 1/w = r give
-// v(p + d) - v = (dn - v dr).d / r(p + d), where d and -d are both tried, A is 1 at least, and one of both r is at most
-// r(p).
+// v(p + d) - v = (dn - v dr).d / r(p + d), where d and -d are both tried, A is 1 at least, and one of both r is at
+// most r(p).
 double TriangleValues::least_smooth(const Component& component, double value) const {
   const LinearForm& n = component.numerator.form();
   const LinearForm& r = reciprocal_w_.form();
