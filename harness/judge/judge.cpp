@@ -28,6 +28,19 @@ Verdict combine(const Standing& candidate, const Standing* reference, bool equal
   return reference == nullptr && candidate.level == Class::kExact ? Verdict::kIdentical : Verdict::kPermitted;
 }
 
+// Where numbers that are equal to the first end; several at a time.
+size_t end_of_equal(const std::vector<uint32_t>& numbers, size_t begin, size_t limit) {
+  constexpr size_t kAtOnce = 16;
+  size_t end = begin + 1;
+  for (; end + kAtOnce <= limit; end += kAtOnce) {
+    uint32_t difference = 0;
+    for (size_t i = 0; i < kAtOnce; ++i) difference |= numbers[end + i] ^ numbers[begin];
+    if (difference != 0) break;
+  }
+  while (end < limit && numbers[end] == numbers[begin]) ++end;
+  return end;
+}
+
 std::vector<PlaneVerdict> planes_of(const Case& test_case, bool with_depth) {
   std::vector<PlaneVerdict> planes{{.name = "coverage", .kind = PlaneKind::kCoverage},
                                    {.name = "hits", .kind = PlaneKind::kHits},
@@ -80,8 +93,8 @@ class CaseJudge {
     const std::vector<uint32_t>& other = has_reference() ? reference_->answers.expectation.sole() : sole;
     const bool nothing = sole[begin] == exact::kNothing && other[begin] == exact::kNothing;
     const size_t limit = nothing ? sole.size() : begin - begin % row + row;
-    size_t end = begin + 1;
-    while (end < limit && sole[end] == sole[begin] && other[end] == other[begin]) ++end;
+    size_t end = end_of_equal(sole, begin, limit);
+    if (&other != &sole) end = end_of_equal(other, begin, end);
     return end;
   }
 
@@ -175,8 +188,10 @@ class CaseJudge {
     for (uint32_t c = plane.first_component; c < plane.first_component + plane.components; ++c) {
       if (!rows.expect(plane.kind, c) || !rows.within(planes)) return false;
       if (reference_differs() && !reference_->answers.rows.expect(plane.kind, c)) return false;
-      if (other != nullptr && !reference_->answers.rows.within(*other)) return false;
-      rows.mark_different(planes, other, marks_);
+      const bool different = rows.mark_different(planes, other, marks_);
+      // Equal bits are as good for both, where the same is exact.
+      if (other == nullptr || !(different || reference_differs())) continue;
+      if (!reference_->answers.rows.within(*other)) return false;
     }
     const auto identical = static_cast<uint64_t>(std::count(marks_.begin(), marks_.end(), 0U));
     count(plane, Verdict::kIdentical, identical);

@@ -191,8 +191,8 @@ class LineRules {
     const std::span<const Cell> last_rows = in_column(a.fragments, last);
     const std::span<const Cell> first_rows = in_column(b.fragments, first);
     const int64_t gap = (ascending ? first - last : last - first) - 1;
-    const bool rows_touch = first_rows.front().row <= last_rows.back().row + 1 &&
-                            last_rows.front().row <= first_rows.back().row + 1;
+    const bool rows_touch =
+        first_rows.front().row <= last_rows.back().row + 1 && last_rows.front().row <= first_rows.back().row + 1;
     if (gap > 0 || (gap == 0 && !rows_touch)) break_at(b, first_rows.front());
   }
 

@@ -183,9 +183,7 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
   const bool is_bresenham = piece.kind == Piece::Kind::kBresenhamLine;
   const bool certain = (entry.coverage == Coverage::kMust || is_bresenham) && has_values(piece);
   const bool writes = state.depth_test && state.depth_write && case_.target.depth_format != VK_FORMAT_UNDEFINED;
-  const Layer layer{.piece = piece,
-                    .state = state,
-                    .depth = compares_depth(state) ? depth_of(entry.piece, x, y) : exact::DepthRange{}};
+  Layer layer{.number = entry.piece, .piece = piece, .state = state, .is_inside = entry.coverage == Coverage::kMust};
   const auto land_over = [&](const Outcome& before) {
     Outcome after = before;
     after.owner = piece.owner;
@@ -210,6 +208,7 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
     if (writes) store(layer, must);
     return;
   }
+  if (compares_depth(state)) layer.depth = depth_of(entry.piece, x, y);
   bool lands_always = must;
   bool lands_ever = false;
   before_.swap(outcomes);
@@ -258,26 +257,40 @@ void Replay::store(const Layer& layer, bool must) {
 }
 
 // Whether the tests pass, or fail, whatever is stored; none where that decides.
-std::optional<bool> Replay::passes_everywhere(const Layer& layer, double x, double y) {
+std::optional<bool> Replay::passes_everywhere(Layer& layer, double x, double y) {
   if (layer.piece.of_polygon || layer.state.depth_bounds) return std::nullopt;
   if (case_.target.depth_format == VK_FORMAT_UNDEFINED || !layer.state.depth_test) return true;
+  if (!compares_depth(layer.state)) return layer.state.depth_compare == VK_COMPARE_OP_ALWAYS;
+  if (!stored_) find_stored(x, y);
+  if (layer.is_inside) {
+    layer.depth = depth_range_inside(layer.number, x, y);
+    if (const std::optional<bool> passes = passes_all_stored(layer)) {
+      stored_is_rough_ = true;
+      return passes;
+    }
+  }
+  layer.depth = depth_of(layer.number, x, y);
+  if (stored_is_rough_) find_stored(x, y);
+  return passes_all_stored(layer);
+}
+
+// The same, if both depths tell.
+std::optional<bool> Replay::passes_all_stored(const Layer& layer) const {
   const VkCompareOp op = layer.state.depth_compare;
-  if (op == VK_COMPARE_OP_ALWAYS) return true;
-  if (op == VK_COMPARE_OP_NEVER) return false;
-  if (!stored_) stored_ = all_stored(x, y);
   if (layer.depth.high < stored_->low) return (op & VK_COMPARE_OP_LESS) != 0;
   if (layer.depth.low > stored_->high) return (op & VK_COMPARE_OP_GREATER) != 0;
   return std::nullopt;
 }
 
-exact::DepthRange Replay::all_stored(double x, double y) {
+void Replay::find_stored(double x, double y) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   exact::DepthRange all{.low = kInfinity, .high = -kInfinity};
   for (const Outcome& outcome : possibilities_.outcomes) {
     const exact::DepthRange one = depth_of(outcome.depth_writer, x, y);
     all = {.low = std::min(all.low, one.low), .high = std::max(all.high, one.high)};
   }
-  return all;
+  stored_ = all;
+  stored_is_rough_ = false;
 }
 
 // What may be stored for the piece, or, for none, what the target was cleared to. Asked for again by each layer.
@@ -295,6 +308,13 @@ exact::DepthRange Replay::depth_range_of(uint32_t piece, double x, double y) {
   }
   const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
   return range_in(case_.target.depth_format, state, values_.values(piece).depth(x, y));
+}
+
+// The same for a piece that must cover the sample, or more: nearly always that is enough to know.
+exact::DepthRange Replay::depth_range_inside(uint32_t piece, double x, double y) {
+  if (!has_values(expectation_.pieces()[piece])) return depth_range_of(piece, x, y);
+  const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;
+  return range_in(case_.target.depth_format, state, values_.values(piece).depth_inside(x, y));
 }
 
 // What is stored has to be within the bounds; a fixed-point format may round them too.

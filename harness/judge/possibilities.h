@@ -85,9 +85,11 @@ class Replay {
   enum class DepthResult : uint8_t { kFails, kPasses, kEither };
   // The piece that is being drawn over what is there.
   struct Layer {
+    uint32_t number = 0;
     const exact::Piece& piece;
     const RasterState& state;
-    exact::DepthRange depth;  // that it may have, if it is tested
+    bool is_inside = false;     // it must cover the sample
+    exact::DepthRange depth{};  // that it may have, once it is tested
   };
   // What a piece may store, at the sample of this number.
   struct SampleDepth {
@@ -101,8 +103,9 @@ class Replay {
   void replay(size_t begin, size_t end, double x, double y);
   bool replay_watertight(size_t begin, size_t end, double x, double y);
   void land(const exact::Entry& entry, bool must, double x, double y);
-  [[nodiscard]] std::optional<bool> passes_everywhere(const Layer& layer, double x, double y);
-  [[nodiscard]] exact::DepthRange all_stored(double x, double y);
+  [[nodiscard]] std::optional<bool> passes_everywhere(Layer& layer, double x, double y);
+  [[nodiscard]] std::optional<bool> passes_all_stored(const Layer& layer) const;
+  void find_stored(double x, double y);
   void store(const Layer& layer, bool must);
   // Whether the stored piece is another part of the layer's outline: of two of them either may be drawn first.
   [[nodiscard]] bool any_order(const Layer& layer, uint32_t stored) const;
@@ -113,6 +116,7 @@ class Replay {
   [[nodiscard]] DepthResult tests(const Layer& layer, uint32_t stored, double x, double y);
   [[nodiscard]] exact::DepthRange depth_of(uint32_t piece, double x, double y);
   [[nodiscard]] exact::DepthRange depth_range_of(uint32_t piece, double x, double y);
+  [[nodiscard]] exact::DepthRange depth_range_inside(uint32_t piece, double x, double y);
   void add_landed(const Outcome& outcome);
 
   const Case& case_;
@@ -127,7 +131,8 @@ class Replay {
   std::vector<exact::Entry> entries_;
   std::vector<Outcome> before_;
   std::optional<exact::DepthRange> stored_;  // in any of the outcomes so far, if it was asked for
-  std::vector<size_t> landed_;  // the outcomes in which the piece being drawn landed
+  bool stored_is_rough_ = false;             // ... and may be narrower (depth_range_inside())
+  std::vector<size_t> landed_;               // the outcomes in which the piece being drawn landed
   Possibilities possibilities_;
   bool used_rules_ = false;
   // What was asked for last, and whether the answer holds wherever the entries are the same.

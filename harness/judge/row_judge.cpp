@@ -167,21 +167,23 @@ bool RowJudge::within(const Planes& planes) const {
   return constant_ ? all_equal(row, size_, *constant_) : all_within(row, expected_, least_);
 }
 
-void RowJudge::mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const {
+bool RowJudge::mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const {
   const float* const row = values(planes);
+  uint32_t different = 0;
+  const auto mark = [&](size_t i, uint32_t difference) {
+    marks[i] |= difference;
+    different |= difference;
+  };
   if (other != nullptr) {
     const float* const others = values(*other);
-    for (size_t i = 0; i < size_; ++i) {
-      marks[i] |= std::bit_cast<uint32_t>(row[i]) ^ std::bit_cast<uint32_t>(others[i]);
-    }
-    return;
-  }
-  if (constant_) {
+    for (size_t i = 0; i < size_; ++i) mark(i, std::bit_cast<uint32_t>(row[i]) ^ std::bit_cast<uint32_t>(others[i]));
+  } else if (!constant_) {
+    for (size_t i = 0; i < size_; ++i) mark(i, row[i] == static_cast<float>(expected_[i]) ? 0U : 1U);
+  } else if (std::isnan(*constant_)) {
     // All values have its bits; NaN is no value.
-    if (std::isnan(*constant_)) std::fill(marks.begin(), marks.end(), 1U);
-    return;
+    for (size_t i = 0; i < size_; ++i) mark(i, 1);
   }
-  for (size_t i = 0; i < size_; ++i) marks[i] |= row[i] == static_cast<float>(expected_[i]) ? 0U : 1U;
+  return different != 0;
 }
 
 const float* RowJudge::values(const Planes& planes) const {

@@ -40,8 +40,9 @@ class RowJudge {
   // A party's values are all within their tolerance.
   [[nodiscard]] bool within(const Planes& planes) const;
   // Sets a bit in each sample's mark whose value has other bits than the other party's, or, where there is none, is
-  // not the exact value rounded to float32. Both parties' values must be within their tolerance.
-  void mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const;
+  // not the exact value rounded to float32, and returns whether there is one. The first party's values must be within
+  // their tolerance.
+  bool mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const;
 
  private:
   enum class Landing : uint8_t { kUnknown, kCertain, kUncertain };

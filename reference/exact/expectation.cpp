@@ -291,6 +291,7 @@ std::unique_ptr<PieceValues> values_of(const Case& test_case, const Piece& piece
                                  : static_cast<const ClipEdges&>(*piece.shape).polygon();
   auto values = std::make_unique<TriangleValues>(triangle, piece.latitude);
   if (draw.state.depth_bias) values->set_depth_bias(*draw.state.depth_bias, test_case.target.depth_format);
+  values->reserve(stride);
   uint32_t component = 0;
   for (const Varying& varying : test_case.varyings) {
     if (varying.source != VaryingSource::kVertices) continue;

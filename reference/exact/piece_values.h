@@ -37,6 +37,8 @@ class PieceValues {
   [[nodiscard]] virtual Expected depth_for(float value, double x, double y) const = 0;
   // ... with all of the tolerance.
   [[nodiscard]] virtual Expected depth(double x, double y) const = 0;
+  // ... of a sample that the piece must cover, with a tolerance that is no less, and cheaper to tell.
+  [[nodiscard]] virtual Expected depth_inside(double x, double y) const { return depth(x, y); }
   [[nodiscard]] virtual Tolerance depth_tolerance(double x, double y) const = 0;
   // A certain bound of how far the value that depth() gives, a double, is from the exact one; and that one, rounded
   // to double once.

@@ -120,6 +120,7 @@ Projection Triangle::projection() const {
     projection.x[i] = u_[i] / w(i);
     projection.y[i] = v_[i] / w(i);
   }
+  projection.set_anchors();
   return projection;
 }
 

@@ -36,9 +36,8 @@ void PieceValues::least_varyings(double x, double y, std::span<const uint32_t> w
 }
 
 TriangleValues::TriangleValues(const Triangle& triangle, const Latitude& latitude)
-    : triangle_(&triangle), latitude_(latitude) {
+    : triangle_(&triangle), latitude_(latitude), projection_(triangle.projection()) {
   const auto& clip = triangle.vertices();
-  const Projection projection = triangle.projection();
   const std::array<double, 3> z{double{clip[0][2]}, double{clip[1][2]}, double{clip[2][2]}};
   const double scale = triangle.depth_scale();
   const double offset = triangle.depth_offset();
@@ -57,10 +56,22 @@ TriangleValues::TriangleValues(const Triangle& triangle, const Latitude& latitud
     selected[i] = triangle.w(i);
     barycentric_[i] = triangle.interpolant(selected);
   }
-  depth_ = WindowLinear(projection, depth, depths, WindowLinear::Gradient::kFromDifferences, magnitude);
+  depth_ = WindowLinear(projection_, depth, depths, WindowLinear::Gradient::kFromDifferences, magnitude);
   const std::array<double, 3> ones{1, 1, 1};
   reciprocal_w_ =
-      WindowLinear(projection, triangle.interpolant(ones), reciprocals, WindowLinear::Gradient::kFromValues);
+      WindowLinear(projection_, triangle.interpolant(ones), reciprocals, WindowLinear::Gradient::kFromValues);
+  set_largest_depth_tolerance();
+}
+
+// The condition is a convex function of the position, and so is what a bias rounds: largest at a vertex. Inside A
+// is 1.
+void TriangleValues::set_largest_depth_tolerance() {
+  largest_depth_tolerance_ = triangle_->in_front() ? 0 : kUnbounded;
+  for (size_t i = 0; i < 3 && std::isfinite(largest_depth_tolerance_); ++i) {
+    const double tolerance =
+        depth_tolerance(projection_.x[i] + triangle_->centre_x(), projection_.y[i] + triangle_->centre_y()).total();
+    largest_depth_tolerance_ = std::max(largest_depth_tolerance_, tolerance * (1 + 0x1p-20));
+  }
 }
 
 double TriangleValues::barycentric_size(double dx, double dy) const {
@@ -95,7 +106,7 @@ double TriangleValues::least_smooth(const Component& component, double value) co
 PolygonDepth TriangleValues::polygon_depth() const {
   const LinearForm& form = depth_.form();
   PolygonDepth polygon{.gradient_x = std::abs(form.a), .gradient_y = std::abs(form.b)};
-  const Projection p = triangle_->projection();
+  const Projection& p = projection_;
   double snapping = kUnbounded;
   for (size_t o = 0; o < 3; ++o) {
     const size_t i = (o + 1) % 3;
@@ -129,6 +140,7 @@ PolygonDepth TriangleValues::polygon_depth() const {
 
 void TriangleValues::set_depth_bias(const DepthBias& bias, VkFormat format) {
   bias_ = bias_range(bias, format, polygon_depth());
+  set_largest_depth_tolerance();
 }
 
 Expected TriangleValues::depth(double x, double y) const {
@@ -136,6 +148,11 @@ Expected TriangleValues::depth(double x, double y) const {
   const double dy = y - triangle_->centre_y();
   const double value = depth_.at(dx, dy) + bias_.middle();
   return {.value = value, .tolerance = depth_tolerance(x, y).total(), .spread = bias_.spread()};
+}
+
+Expected TriangleValues::depth_inside(double x, double y) const {
+  const double value = depth_.at(x - triangle_->centre_x(), y - triangle_->centre_y()) + bias_.middle();
+  return {.value = value, .tolerance = largest_depth_tolerance_, .spread = bias_.spread()};
 }
 
 Expected TriangleValues::depth_for(float value, double x, double y) const {
@@ -161,7 +178,7 @@ TriangleValues::Component TriangleValues::component(Interpolation interpolation,
   }
   if (!result.judged) return result;
   result.numerator =
-      WindowLinear(triangle_->projection(), triangle_->interpolant(weighted), q,
+      WindowLinear(projection_, triangle_->interpolant(weighted), q,
                    smooth ? WindowLinear::Gradient::kFromValues : WindowLinear::Gradient::kFromDifferences);
   return result;
 }
@@ -338,16 +355,13 @@ void TriangleValues::varying_row(const Component& component, double x, double y,
 
 DepthRange TriangleValues::depth_range() const {
   DepthRange range{.low = kUnbounded, .high = -kUnbounded};
-  double tolerance = 0;
-  // The condition is a convex function of the position: largest at a vertex. Inside, A is 1.
   for (size_t i = 0; i < 3; ++i) {
-    const double dx = triangle_->u(i) / triangle_->w(i);
-    const double dy = triangle_->v(i) / triangle_->w(i);
-    range.low = std::min(range.low, depth_.at(dx, dy));
-    range.high = std::max(range.high, depth_.at(dx, dy));
-    tolerance = std::max(tolerance, depth_tolerance(dx + triangle_->centre_x(), dy + triangle_->centre_y()).total());
+    const double depth = depth_.at(projection_.x[i], projection_.y[i]);
+    range.low = std::min(range.low, depth);
+    range.high = std::max(range.high, depth);
   }
-  return {.low = range.low + bias_.low - tolerance, .high = range.high + bias_.high + tolerance};
+  return {.low = range.low + bias_.low - largest_depth_tolerance_,
+          .high = range.high + bias_.high + largest_depth_tolerance_};
 }
 
 }  // namespace fillrule::exact

@@ -28,6 +28,7 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] const BiasRange& depth_bias() const { return bias_; }
 
   [[nodiscard]] Expected depth(double x, double y) const override;
+  [[nodiscard]] Expected depth_inside(double x, double y) const override;
   [[nodiscard]] Expected depth_for(float value, double x, double y) const override;
 
   // The vertices' values of one component of a varying, prepared.
@@ -55,6 +56,7 @@ class TriangleValues final : public PieceValues {
   [[nodiscard]] double exact_reciprocal_w(double x, double y) const override;
 
   // The components that the vertices carry, in their order, for the functions below.
+  void reserve(size_t components) { components_.reserve(components); }
   void add_component(const Component& component) { components_.push_back(component); }
   [[nodiscard]] const Component& component(uint32_t number) const { return components_[number]; }
   [[nodiscard]] float provoking(uint32_t component) const override { return components_[component].provoking; }
@@ -89,6 +91,7 @@ class TriangleValues final : public PieceValues {
 
  private:
   [[nodiscard]] double barycentric_size(double dx, double dy) const;
+  void set_largest_depth_tolerance();
   [[nodiscard]] PolygonDepth polygon_depth() const;
   [[nodiscard]] double form_error(const LinearForm& form, double dx, double dy) const;
   [[nodiscard]] Tolerance linear_tolerance(const WindowLinear& quantity, double dx, double dy) const;
@@ -99,10 +102,12 @@ class TriangleValues final : public PieceValues {
 
   const Triangle* triangle_;
   Latitude latitude_;
+  Projection projection_;
   WindowLinear depth_;
   WindowLinear reciprocal_w_;
   std::array<LinearForm, 3> barycentric_;  // of the window
   BiasRange bias_;
+  double largest_depth_tolerance_ = 0;  // within the triangle; infinite where a vertex is not in front of the eye
   std::vector<Component> components_;
 };
 

@@ -17,50 +17,60 @@ constexpr double kFlushed = 0x1p-126 / kUnitRoundoff;
 
 }  // namespace
 
-WindowLinear::WindowLinear(const Projection& projection, const LinearForm& form, const std::array<double, 3>& q,
-                           Gradient gradient, double magnitude)
-    : form_(form), centre_x_(projection.centre_x), centre_y_(projection.centre_y) {
-  std::array<glm::dvec2, 3> p;
-  for (size_t i = 0; i < 3; ++i) p[i] = {projection.x[i], projection.y[i]};
-  const double gx = std::abs(form.a);
-  const double gy = std::abs(form.b);
-  double largest = magnitude;
-  double largest_x = 0;
-  double largest_y = 0;
-  for (size_t i = 0; i < 3; ++i) {
-    largest = std::max(largest, std::abs(q[i]));
-    largest_x = std::max(largest_x, std::abs(p[i].x + centre_x_));
-    largest_y = std::max(largest_y, std::abs(p[i].y + centre_y_));
-  }
-  constant_ = kValueRoundings * (largest + kFlushed) + gx * (kPositionRoundings * largest_x + projection.width) +
-              gy * (kPositionRoundings * largest_y + std::abs(projection.height));
+void Projection::set_anchors() {
   for (size_t o = 0; o < 3; ++o) {
     const size_t i1 = (o + 1) % 3;
     const size_t i2 = (o + 2) % 3;
-    const glm::dvec2 e1 = p[i1] - p[o];
-    const glm::dvec2 e2 = p[i2] - p[o];
+    const glm::dvec2 e1{x[i1] - x[o], y[i1] - y[o]};
+    const glm::dvec2 e2{x[i2] - x[o], y[i2] - y[o]};
     const double det = std::abs(e1.x * e2.y - e2.x * e1.y);
-    const double kappa = (std::abs(e1.x * e2.y) + std::abs(e2.x * e1.y)) / det;
+    // A lost vertex value, product or gradient, by its share of the gradient.
+    const auto flushed = [det](double a, double b) { return kFlushed * (1 + (2 + std::abs(a) + std::abs(b)) / det); };
+    anchors[o] = {.e1_x = std::abs(e1.x),
+                  .e1_y = std::abs(e1.y),
+                  .e2_x = std::abs(e2.x),
+                  .e2_y = std::abs(e2.y),
+                  .det = det,
+                  .kappa = (std::abs(e1.x * e2.y) + std::abs(e2.x * e1.y)) / det,
+                  .flushed_x = flushed(e1.y, e2.y),
+                  .flushed_y = flushed(e1.x, e2.x)};
+    largest_x = std::max(largest_x, std::abs(x[o] + centre_x));
+    largest_y = std::max(largest_y, std::abs(y[o] + centre_y));
+  }
+}
+
+WindowLinear::WindowLinear(const Projection& projection, const LinearForm& form, const std::array<double, 3>& q,
+                           Gradient gradient, double magnitude)
+    : form_(form), centre_x_(projection.centre_x), centre_y_(projection.centre_y) {
+  const double gx = std::abs(form.a);
+  const double gy = std::abs(form.b);
+  double largest = magnitude;
+  for (const double value : q) largest = std::max(largest, std::abs(value));
+  constant_ = kValueRoundings * (largest + kFlushed) +
+              gx * (kPositionRoundings * projection.largest_x + projection.width) +
+              gy * (kPositionRoundings * projection.largest_y + std::abs(projection.height));
+  for (size_t o = 0; o < 3; ++o) {
+    const Projection::Anchor& anchor = projection.anchors[o];
+    const double q0 = q[o];
+    const double q1 = q[(o + 1) % 3];
+    const double q2 = q[(o + 2) % 3];
     double sum_x = 0;
     double sum_y = 0;
     if (gradient == Gradient::kFromDifferences) {
-      const double d1 = std::abs(q[i1] - q[o]);
-      const double d2 = std::abs(q[i2] - q[o]);
-      sum_x = d1 * std::abs(e2.y) + d2 * std::abs(e1.y);
-      sum_y = d1 * std::abs(e2.x) + d2 * std::abs(e1.x);
+      const double d1 = std::abs(q1 - q0);
+      const double d2 = std::abs(q2 - q0);
+      sum_x = d1 * anchor.e2_y + d2 * anchor.e1_y;
+      sum_y = d1 * anchor.e2_x + d2 * anchor.e1_x;
     } else {
-      sum_x = std::abs(q[o]) * (std::abs(e1.y) + std::abs(e2.y)) + std::abs(q[i1] * e2.y) + std::abs(q[i2] * e1.y);
-      sum_y = std::abs(q[o]) * (std::abs(e1.x) + std::abs(e2.x)) + std::abs(q[i1] * e2.x) + std::abs(q[i2] * e1.x);
+      sum_x = std::abs(q0) * (anchor.e1_y + anchor.e2_y) + std::abs(q1) * anchor.e2_y + std::abs(q2) * anchor.e1_y;
+      sum_y = std::abs(q0) * (anchor.e1_x + anchor.e2_x) + std::abs(q1) * anchor.e2_x + std::abs(q2) * anchor.e1_x;
     }
-    // A lost vertex value, product or gradient, by its share of the gradient.
-    const double flushed_x = kFlushed * (1 + (2 + std::abs(e1.y) + std::abs(e2.y)) / det);
-    const double flushed_y = kFlushed * (1 + (2 + std::abs(e1.x) + std::abs(e2.x)) / det);
-    const double cancelling_x = sum_x / det + gx * kappa;
-    const double cancelling_y = sum_y / det + gy * kappa;
-    anchors_[o] = {.x = p[o].x,
-                   .y = p[o].y,
-                   .per_x = cancelling_x + std::min(kGradientRoundings * gx, cancelling_x) + flushed_x,
-                   .per_y = cancelling_y + std::min(kGradientRoundings * gy, cancelling_y) + flushed_y};
+    const double cancelling_x = sum_x / anchor.det + gx * anchor.kappa;
+    const double cancelling_y = sum_y / anchor.det + gy * anchor.kappa;
+    anchors_[o] = {.x = projection.x[o],
+                   .y = projection.y[o],
+                   .per_x = cancelling_x + std::min(kGradientRoundings * gx, cancelling_x) + anchor.flushed_x,
+                   .per_y = cancelling_y + std::min(kGradientRoundings * gy, cancelling_y) + anchor.flushed_y};
   }
 }
 

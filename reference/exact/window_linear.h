@@ -18,6 +18,25 @@ struct Projection {
   double centre_y = 0;
   double width = 0;  // of the viewport
   double height = 0;
+
+  // A vertex that a plane may be anchored at, with the edges e_1 and e_2 from it: what of a condition depends on no
+  // value.
+  struct Anchor {
+    double e1_x = 0;  // magnitudes
+    double e1_y = 0;
+    double e2_x = 0;
+    double e2_y = 0;
+    double det = 0;        // |det(e_1, e_2)|
+    double kappa = 0;      // by how much it cancels
+    double flushed_x = 0;  // what is lost where a denormal is flushed, by the pixel
+    double flushed_y = 0;
+  };
+  std::array<Anchor, 3> anchors{};
+  double largest_x = 0;  // framebuffer coordinate, in magnitude
+  double largest_y = 0;
+
+  // Fills in what follows from the vertices and the viewport.
+  void set_anchors();
 };
 
 class WindowLinear {
