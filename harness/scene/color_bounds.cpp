@@ -68,6 +68,33 @@ Light light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& ra
   return light;
 }
 
+// The same where nothing is off.
+struct ExactLight {
+  glm::dvec3 diffuse{};
+  glm::dvec3 specular{};
+};
+
+ExactLight exact_light_on(const programs::ShadingUniforms& uniforms, const SurfaceRange& range) {
+  const bool highlights = has_highlights(uniforms);
+  const glm::dvec3 normal = glm::normalize(range.normal_world);
+  glm::dvec3 to_eye{};
+  if (highlights) {
+    to_eye = glm::normalize(glm::dvec3(uniforms.eye) - range.position_world * static_cast<double>(uniforms.eye.w));
+  }
+  ExactLight light{.diffuse = glm::dvec3(uniforms.ambient)};
+  for (size_t i = 0; i < static_cast<size_t>(uniforms.lights); ++i) {
+    const glm::dvec3 to_light(uniforms.to_light[i]);
+    const glm::dvec3 color(uniforms.light_color[i]);
+    const double cosine = glm::dot(normal, to_light);
+    if (!(cosine > 0)) continue;
+    light.diffuse += color * std::min(cosine, 1.0);
+    if (!highlights) continue;
+    const double reflected = 2 * cosine * glm::dot(normal, to_eye) - glm::dot(to_light, to_eye);
+    light.specular += color * std::pow(std::clamp(reflected, 0.0, 1.0), uniforms.shininess);
+  }
+  return light;
+}
+
 }  // namespace
 
 bool has_highlights(const programs::ShadingUniforms& uniforms) {
@@ -99,6 +126,24 @@ ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRang
     bounds[c] = {std::clamp(bounds[c].low, 0.0, 1.0) - rounding, std::clamp(bounds[c].high, 0.0, 1.0) + rounding};
   }
   return bounds;
+}
+
+std::array<double, 3> exact_color(const programs::DrawShading& shading, const SurfaceRange& range) {
+  const programs::ShadingUniforms& uniforms = shading.uniforms;
+  std::array<double, 3> color{1, 1, 1};
+  if (uniforms.textured != 0) color = exact_texel(*shading.texture, range);
+  ExactLight light;
+  if (uniforms.lights >= 0) light = exact_light_on(uniforms, range);
+  for (size_t c = 0; c < 3; ++c) {
+    const auto channel = static_cast<glm::length_t>(c);
+    color[c] *= static_cast<double>(uniforms.color[channel]);
+    if (uniforms.lights >= 0) {
+      color[c] = color[c] * light.diffuse[channel] +
+                 static_cast<double>(uniforms.specular[channel]) * light.specular[channel];
+    }
+    color[c] = std::clamp(color[c], 0.0, 1.0);
+  }
+  return color;
 }
 
 }  // namespace fillrule::scene

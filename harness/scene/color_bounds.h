@@ -53,9 +53,15 @@ struct SamplerPrecision {
 // A highlight without colour adds nothing, and is most of the work. Asked here, not of the program that is judged.
 bool has_highlights(const programs::ShadingUniforms& uniforms);
 
-// Nothing is read of a range that the shading does not depend on: positions without highlights, normals without lights,
-// uv without a texture.
+// Nothing is read of a range that the shading does not depend on: positions without highlights, normals without
+// lights, uv without a texture.
 ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRange& range,
                          const SamplerPrecision& precision);
+
+// The colour in the middle of the range, its errors left aside: much cheaper, and any that is within kLeastRounding
+// of it in each channel is within color_bounds(). Not for mipmapped textures.
+std::array<double, 3> exact_color(const programs::DrawShading& shading, const SurfaceRange& range);
+// What every colour is let be off by for its rounding, less what these functions round themselves.
+inline constexpr double kLeastRounding = 0x1p-18 * (1 - 0x1p-20);
 
 }  // namespace fillrule::scene

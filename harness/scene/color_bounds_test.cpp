@@ -128,6 +128,24 @@ TEST(ColorBounds, OfPartOfARangeAreWithinThoseOfAllOfIt) {
   }
 }
 
+TEST(ColorBounds, HoldWhatIsCloseToTheExactColor) {
+  Random random;
+  int asked = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const programs::DrawShading shading = random_shading(random, round % 3 != 0);
+    if (shading.uniforms.mipmapped != 0) continue;
+    ++asked;
+    const SurfaceRange range = random_range(random, round % 2 == 0 ? 0 : std::exp2(random.between(-24, -3)));
+    const ColorBounds bounds = color_bounds(shading, range, {});
+    const std::array<double, 3> exact = exact_color(shading, range);
+    for (size_t c = 0; c < exact.size(); ++c) {
+      EXPECT_GE(exact[c] - kLeastRounding, bounds[c].low) << round;
+      EXPECT_LE(exact[c] + kLeastRounding, bounds[c].high) << round;
+    }
+  }
+  EXPECT_GT(asked, 1000);
+}
+
 TEST(ColorBounds, AreNarrowWhereTheRangeIs) {
   Random random;
   double sum = 0;

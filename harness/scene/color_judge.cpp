@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -46,8 +47,11 @@ class AllowedColors {
       sample_ = sample;
       owner_ = owner;
       for (Bounds& bounds : bounds_) bounds.known = false;
+      find_exact(x, y);
     }
-    // Nearly all colours are within the narrow bounds, and hence within the others.
+    // Nearly all colours are so close to the exact one that they are within any bounds, or else within the narrow
+    // ones and hence within the others.
+    if (exact_ && is_close(color, *exact_)) return {.judged = true};
     for (const ColorBounds& bounds : bounds_at(Tolerances::kLeast, x, y).bounds) {
       if (is_inside(color, bounds)) return {.judged = true};
     }
@@ -79,6 +83,28 @@ class AllowedColors {
     return inside;
   }
 
+  static bool is_close(const std::array<float, 3>& color, const std::array<double, 3>& exact) {
+    bool close = true;
+    for (size_t c = 0; c < 3; ++c) close = close && std::abs(double{color[c]} - exact[c]) <= kLeastRounding;
+    return close;
+  }
+
+  // Of the owner's first piece at the sample.
+  void find_exact(double x, double y) {
+    exact_.reset();
+    expectation_.collect(sample_, entries_);
+    const auto entry = std::ranges::find_if(
+        entries_, [this](const exact::Entry& one) { return expectation_.pieces()[one.piece].owner == owner_; });
+    if (entry == entries_.end()) return;
+    const exact::Piece& piece = expectation_.pieces()[entry->piece];
+    const programs::DrawShading& shading = shading_[piece.draw];
+    if (!is_defined(piece) || shading.uniforms.mipmapped != 0) return;
+    if (find_range(Tolerances::kLeast, entry->piece, piece, x, y)) exact_ = exact_color(shading, range_);
+  }
+
+  // The values of other pieces are undefined ground.
+  static bool is_defined(const exact::Piece& piece) { return !piece.shape->undefined() && !piece.thin; }
+
   const Bounds& bounds_at(Tolerances tolerances, double x, double y) {
     Bounds& bounds = bounds_[static_cast<size_t>(tolerances)];
     if (!bounds.known) work_out(tolerances, x, y, bounds);
@@ -93,9 +119,7 @@ class AllowedColors {
     for (const exact::Entry& entry : entries_) {
       const exact::Piece& piece = expectation_.pieces()[entry.piece];
       if (piece.owner != owner_) continue;
-      // The values of such pieces are undefined ground.
-      const bool is_defined = !piece.shape->undefined() && !piece.thin;
-      if (!is_defined || !find_range(tolerances, entry.piece, piece, x, y)) {
+      if (!is_defined(piece) || !find_range(tolerances, entry.piece, piece, x, y)) {
         result.is_open = true;
         return;
       }
@@ -123,8 +147,8 @@ class AllowedColors {
     return components;
   }
 
-  // With the least tolerances only what the shading of the draw depends on; with the real ones all components: nobody is
-  // accused where any of them is open. Returns whether they are finite.
+  // With the least tolerances only what the shading of the draw depends on; with the real ones all components: nobody
+  // is accused where any of them is open. Returns whether they are finite.
   bool read_components(Tolerances tolerances, uint32_t draw, const exact::PieceValues& values, double x, double y,
                        Components& components) const {
     std::span<const uint32_t> wanted = kAllComponents;
@@ -139,7 +163,8 @@ class AllowedColors {
     return finite;
   }
 
-  // The range of the surface at (x, y) in range_, as far as the shading depends on it; false where nothing can be said.
+  // The range of the surface at (x, y) in range_, as far as the shading depends on it; false where nothing can be
+  // said.
   bool find_range(Tolerances tolerances, uint32_t number, const exact::Piece& piece, double x, double y) {
     const exact::PieceValues& exact_values = values(number, piece);
     if (!read_components(tolerances, piece.draw, exact_values, x, y, here_)) return false;
@@ -163,8 +188,8 @@ class AllowedColors {
   }
 
   // The difference along one axis in the quad of pixels that begins at even coordinates.
-  bool find_step(Tolerances tolerances, uint32_t draw, const exact::PieceValues& exact_values, uint32_t axis, double x,
-                 double y) {
+  bool find_step(Tolerances tolerances, uint32_t draw, const exact::PieceValues& exact_values, uint32_t axis,
+                 double x, double y) {
     const bool is_first = std::fmod(std::floor(axis == 0 ? x : y), 2) == 0;
     const double to_other = is_first ? 1 : -1;
     if (!read_components(tolerances, draw, exact_values, axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other,
@@ -194,6 +219,7 @@ class AllowedColors {
   bool asked_ = false;
   size_t sample_ = 0;
   uint32_t owner_ = 0;
+  std::optional<std::array<double, 3>> exact_;
   std::array<Bounds, 2> bounds_;  // by Tolerances
 };
 

@@ -42,6 +42,65 @@ double wrapped(double i, double size, VkSamplerAddressMode mode) {
   }
 }
 
+// A column or row of texels, wrapped, or the two that a place is between, with the weight of the second. -1 is the
+// border.
+struct Stop {
+  int first = 0;
+  int second = 0;
+  double weight = 0;
+};
+
+// `place` is in texels, as everywhere below.
+Stop at_texel(double place, double size, VkSamplerAddressMode mode) {
+  return {.first = static_cast<int>(wrapped(std::floor(place), size, mode))};
+}
+
+Stop between_texels(double place, double size, VkSamplerAddressMode mode) {
+  const double before = std::floor(place - 0.5);
+  return {.first = static_cast<int>(wrapped(before, size, mode)),
+          .second = static_cast<int>(wrapped(before + 1, size, mode)),
+          .weight = place - 0.5 - before};
+}
+
+double border_of(const Sampling2D& sampling) {
+  return sampling.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1 : 0;
+}
+
+// What a sampler gives at one place of a level.
+class LevelTexels {
+ public:
+  LevelTexels(const TextureLevel& level, const Sampling2D& sampling) : level_(level), sampling_(sampling) {}
+
+  [[nodiscard]] std::array<double, 3> at(const Stop& column, const Stop& row) const {
+    return sampling_.filter == VK_FILTER_NEAREST ? texel(column.first, row.first) : bilinear(column, row);
+  }
+
+ private:
+  [[nodiscard]] std::array<double, 3> texel(int column, int row) const {
+    if (column < 0 || row < 0) {
+      const double border = border_of(sampling_);
+      return {border, border, border};
+    }
+    const Texel& found = level_.texels[static_cast<size_t>(row) * level_.width + static_cast<size_t>(column)];
+    return {found[0], found[1], found[2]};
+  }
+
+  [[nodiscard]] std::array<double, 3> bilinear(const Stop& x, const Stop& y) const {
+    std::array<double, 3> sum{};
+    for (int corner = 0; corner < 4; ++corner) {
+      const bool is_right = corner % 2 != 0;
+      const bool is_lower = corner >= 2;
+      const double weight = (is_right ? x.weight : 1 - x.weight) * (is_lower ? y.weight : 1 - y.weight);
+      const auto color = texel(is_right ? x.second : x.first, is_lower ? y.second : y.first);
+      for (size_t c = 0; c < 3; ++c) sum[c] += weight * color[c];
+    }
+    return sum;
+  }
+
+  const TextureLevel& level_;
+  const Sampling2D& sampling_;
+};
+
 // One level, with coordinates in texels.
 class LevelBounds {
  public:
@@ -63,25 +122,15 @@ class LevelBounds {
     find_stops(low_.x, high_.x, level_.width, sampling_.wrap_u, columns);
     find_stops(low_.y, high_.y, level_.height, sampling_.wrap_v, rows);
     if (columns.size() * rows.size() > kManyStops) return whole_level();
+    const LevelTexels texels(level_, sampling_);
     ColorBounds bounds = kNothing;
     for (const Stop& row : rows) {
-      for (const Stop& column : columns) {
-        include_color(bounds,
-                      sampling_.filter == VK_FILTER_NEAREST ? texel(column.first, row.first) : bilinear(column, row));
-      }
+      for (const Stop& column : columns) include_color(bounds, texels.at(column, row));
     }
     return bounds;
   }
 
  private:
-  // A column or row of texels, wrapped, or the two that a place is between, with the weight of the second. -1 is the
-  // border.
-  struct Stop {
-    int first = 0;
-    int second = 0;
-    double weight = 0;
-  };
-
   // The texels, or the ends and the texel centres, between two coordinates.
   void find_stops(double low, double high, double size, VkSamplerAddressMode mode, std::vector<Stop>& stops) const {
     const double first = std::floor(low);
@@ -93,51 +142,23 @@ class LevelBounds {
     }
     stops.clear();
     if (sampling_.filter == VK_FILTER_LINEAR) {
-      stops.push_back(between(low, size, mode));
-      stops.push_back(between(high, size, mode));
+      stops.push_back(between_texels(low, size, mode));
+      stops.push_back(between_texels(high, size, mode));
     }
     for (int i = 0; i < static_cast<int>(texels); ++i) {
       const double texel = first + i;
       if (sampling_.filter == VK_FILTER_NEAREST) {
-        stops.push_back({.first = static_cast<int>(wrapped(texel, size, mode))});
+        stops.push_back(at_texel(texel, size, mode));
       } else if (texel + 0.5 > low && texel + 0.5 < high) {
-        stops.push_back(between(texel + 0.5, size, mode));
+        stops.push_back(between_texels(texel + 0.5, size, mode));
       }
     }
-  }
-
-  static Stop between(double place, double size, VkSamplerAddressMode mode) {
-    const double before = std::floor(place - 0.5);
-    return {.first = static_cast<int>(wrapped(before, size, mode)),
-            .second = static_cast<int>(wrapped(before + 1, size, mode)),
-            .weight = place - 0.5 - before};
-  }
-
-  [[nodiscard]] std::array<double, 3> texel(int column, int row) const {
-    if (column < 0 || row < 0) {
-      const double border = sampling_.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1 : 0;
-      return {border, border, border};
-    }
-    const Texel& found = level_.texels[static_cast<size_t>(row) * level_.width + static_cast<size_t>(column)];
-    return {found[0], found[1], found[2]};
-  }
-
-  [[nodiscard]] std::array<double, 3> bilinear(const Stop& x, const Stop& y) const {
-    std::array<double, 3> sum{};
-    for (int corner = 0; corner < 4; ++corner) {
-      const bool is_right = corner % 2 != 0;
-      const bool is_lower = corner >= 2;
-      const double weight = (is_right ? x.weight : 1 - x.weight) * (is_lower ? y.weight : 1 - y.weight);
-      const auto color = texel(is_right ? x.second : x.first, is_lower ? y.second : y.first);
-      for (size_t c = 0; c < 3; ++c) sum[c] += weight * color[c];
-    }
-    return sum;
   }
 
   [[nodiscard]] ColorBounds whole_level() const {
     ColorBounds bounds = kNothing;
     for (const Texel& one : level_.texels) include_color(bounds, {one[0], one[1], one[2]});
-    const double border = sampling_.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1 : 0;
+    const double border = border_of(sampling_);
     include_color(bounds, {border, border, border});
     return bounds;
   }
@@ -166,6 +187,15 @@ Interval level_of_detail(const Texture& texture, const SurfaceRange& range) {
 }
 
 }  // namespace
+
+std::array<double, 3> exact_texel(const Texture& texture, const SurfaceRange& range) {
+  const TextureLevel& level = texture.levels[0];
+  const Sampling2D& sampling = texture.sampling;
+  const glm::dvec2 place = range.uv * glm::dvec2(level.width, level.height);
+  const auto stop = sampling.filter == VK_FILTER_NEAREST ? at_texel : between_texels;
+  return LevelTexels(level, sampling)
+      .at(stop(place.x, level.width, sampling.wrap_u), stop(place.y, level.height, sampling.wrap_v));
+}
 
 ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, const SamplerPrecision& precision) {
   const Sampling2D& sampling = texture.sampling;
