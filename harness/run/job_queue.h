@@ -1,6 +1,7 @@
-// Cases on their way from the thread that draws with the reference to those that judge.
+// Cases on their way from being drawn with the reference to being judged.
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstddef>
 #include <cstdint>
@@ -42,47 +43,60 @@ struct Job {
   }
 };
 
-// Jobs from some threads to many. They wait where pictures of more than `capacity_bytes` would pile up, unless there
-// is but one.
+// Jobs that all of some threads take, and a few of them make, too, until there is nothing left to make.
 class JobQueue {
  public:
-  explicit JobQueue(size_t capacity_bytes) : capacity_bytes_(capacity_bytes) {}
+  JobQueue(size_t threads, size_t makers) : threads_(threads), makers_(makers) {}
 
   void push(Job job) {
-    const size_t bytes = job.bytes();
-    std::unique_lock lock(mutex_);
-    space_.wait(lock, [this, bytes] { return jobs_.empty() || waiting_bytes_ + bytes <= capacity_bytes_; });
-    waiting_bytes_ += bytes;
+    const std::lock_guard lock(mutex_);
+    waiting_bytes_ += job.bytes();
     jobs_.push_back(std::move(job));
     ready_.notify_one();
   }
 
-  void close() {
+  // A thread makes no more of them.
+  void stop_making() {
     const std::lock_guard lock(mutex_);
-    closed_ = true;
+    --makers_;
     ready_.notify_all();
   }
 
-  // Empty when the queue has been closed and emptied.
+  // Whether those that make jobs had better do so now: fewer than `ahead` wait for each thread that only takes them,
+  // or none at all, and their pictures have fewer bytes than these.
+  [[nodiscard]] bool is_short(size_t ahead, size_t bytes) {
+    const std::lock_guard lock(mutex_);
+    return jobs_.size() < std::max<size_t>((threads_ - makers_) * ahead, 1) && waiting_bytes_ < bytes;
+  }
+
+  // Empty when no job waits and none will come.
   std::optional<Job> pop() {
     std::unique_lock lock(mutex_);
-    ready_.wait(lock, [this] { return closed_ || !jobs_.empty(); });
+    ready_.wait(lock, [this] { return makers_ == 0 || !jobs_.empty(); });
+    return take();
+  }
+
+  // Empty when no job waits.
+  std::optional<Job> try_pop() {
+    const std::lock_guard lock(mutex_);
+    return take();
+  }
+
+ private:
+  std::optional<Job> take() {
     if (jobs_.empty()) return std::nullopt;
     Job job = std::move(jobs_.front());
     jobs_.pop_front();
     waiting_bytes_ -= job.bytes();
-    space_.notify_all();
     return job;
   }
 
- private:
-  size_t capacity_bytes_;
-  size_t waiting_bytes_ = 0;
   std::mutex mutex_;
   std::condition_variable ready_;
-  std::condition_variable space_;
+  size_t threads_;
+  size_t makers_;
   std::deque<Job> jobs_;
-  bool closed_ = false;
+  size_t waiting_bytes_ = 0;
 };
 
 // Starts `count` threads and waits for them at the end of the scope.

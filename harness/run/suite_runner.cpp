@@ -27,7 +27,7 @@ RunTiming median(std::array<RunTiming, 3> timings) {
 constexpr size_t kBatchSize = 32;
 // So many cases are worth a second device.
 constexpr size_t kCasesForTwoDevices = 8 * kBatchSize;
-// The reference draws ahead by pictures of so many bytes: the further, the less threads take turns on one processor.
+// Nothing is drawn ahead while pictures of so many bytes wait.
 constexpr size_t kWaitingBytes = size_t{256} << 20U;
 
 }  // namespace
@@ -143,48 +143,60 @@ struct SuiteRunner::State {
     if (result.verdict.candidate_faults() > 0 || check_failed) result.status = Status::kFailed;
   }
 
-  // Draws what there is for a device in batches, and hands each batch to `take` with the numbers of its cases.
+  // The next cases that there are for the device, drawn and handed to `take` one by one; false if there are none.
   template <typename Take>
-  void draw_lane(std::span<const Case> cases, Lanes& lanes, size_t device, std::vector<CaseResult>& results,
+  bool draw_next(std::span<const Case> cases, Lanes& lanes, size_t device, std::vector<CaseResult>& results,
                  const Take& take) {
-    for (std::vector<size_t> batch; !(batch = lanes.next(device, kBatchSize)).empty();) {
-      std::vector<ReferenceDrawing> drawn(batch.size());
-      if (!devices.empty()) {
-        std::vector<std::optional<Planes>> planes = draw_batch(devices[device], cases, batch, results);
-        for (size_t i = 0; i < batch.size(); ++i) {
-          if (planes[i]) drawn[i] = with_colors(cases[batch[i]], std::move(*planes[i]));
-        }
+    const std::vector<size_t> batch = lanes.next(device, kBatchSize);
+    std::vector<std::optional<Planes>> planes(batch.size());
+    if (!devices.empty()) planes = draw_batch(devices[device], cases, batch, results);
+    for (size_t i = 0; i < batch.size(); ++i) {
+      Job job{.index = batch[i]};
+      if (planes[i]) job.reference = with_colors(cases[batch[i]], std::move(*planes[i]));
+      take(std::move(job));
+    }
+    return !batch.empty();
+  }
+
+  // What one of the threads does. The first ones have a device each and draw with it whenever there would soon be
+  // nothing to judge; else they judge like all. So no more threads are busy than there are jobs: where they took
+  // turns on a processor, each would find its caches full of what the other left.
+  void work(uint32_t worker, std::span<const Case> cases, Lanes& lanes, JobQueue& queue,
+            std::vector<CaseResult>& results, RunTiming& timing, const Progress& progress) {
+    const auto push = [&](Job job) {
+      if (results[job.index].status == Status::kFailed) {
+        progress();
+      } else {
+        queue.push(std::move(job));
       }
-      take(batch, drawn);
+    };
+    bool draws = worker < lane_count();
+    while (true) {
+      if (draws && queue.is_short(kBatchSize, kWaitingBytes)) {
+        draws = draw_next(cases, lanes, worker, results, push);
+        if (!draws) queue.stop_making();
+        continue;
+      }
+      const std::optional<Job> job = draws ? queue.try_pop() : queue.pop();
+      if (job) {
+        finish(cases[job->index], job->reference, results[job->index], timing);
+        progress();
+      } else if (!draws) {
+        return;
+      }
     }
   }
 
-  // Each further device on a thread of its own.
-  void feed(std::span<const Case> cases, std::vector<CaseResult>& results, JobQueue& queue,
-            const Progress& progress) {
-    Lanes lanes(cases, device_of_slots);
-    const auto push = [&](std::span<const size_t> batch, std::vector<ReferenceDrawing>& drawn) {
-      for (size_t i = 0; i < batch.size(); ++i) {
-        if (results[batch[i]].status == Status::kFailed) {
-          progress();
-          continue;
-        }
-        queue.push({.index = batch[i], .reference = std::move(drawn[i])});
-      }
-    };
-    {
-      const Workers second(devices.size() > 1 ? 1 : 0, [&](uint32_t) { draw_lane(cases, lanes, 1, results, push); });
-      draw_lane(cases, lanes, 0, results, push);
-    }
-    queue.close();
-  }
+  // Of those that draw; one where there is no device.
+  [[nodiscard]] size_t lane_count() const { return std::max<size_t>(devices.size(), 1); }
 
   // On one thread, each case with the device that has drawn it before.
   void draw_with_reference_alone(std::span<const Case> cases) {
     std::vector<CaseResult> ignored(cases.size());
     Lanes lanes(cases, device_of_slots);
     for (size_t device = 0; device < devices.size(); ++device) {
-      draw_lane(cases, lanes, device, ignored, [](const auto&, const auto&) {});
+      while (draw_next(cases, lanes, device, ignored, [](const Job&) {})) {
+      }
     }
   }
 
@@ -214,14 +226,10 @@ struct SuiteRunner::State {
       open_second_device(cases.size());
       {
         const Workers reader(jobs > 1 ? 1 : 0, [&](uint32_t) { read_images(cases); });
-        JobQueue queue(kWaitingBytes);
-        const Workers workers(jobs, [&](uint32_t worker) {
-          while (std::optional<Job> job = queue.pop()) {
-            finish(cases[job->index], job->reference, results[job->index], timings[worker]);
-            progress();
-          }
-        });
-        feed(cases, results, queue, progress);
+        Lanes lanes(cases, device_of_slots);
+        JobQueue queue(jobs, lane_count());
+        const Workers workers(
+            jobs, [&](uint32_t worker) { work(worker, cases, lanes, queue, results, timings[worker], progress); });
       }
       for (const RunTiming& of_worker : timings) timing += of_worker;
     });

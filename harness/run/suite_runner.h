@@ -1,5 +1,5 @@
-// Draws cases with the candidate and the reference, and has them judged: the reference in batches on one thread, or
-// two (lanes.h), the candidate and the judge on as many threads as there are jobs, at the same time.
+// Draws cases with the candidate and the reference, and has them judged, on as many threads as there are jobs: one of
+// them, or two (lanes.h), draw with the reference, too, in batches.
 #pragma once
 
 #include <cstdint>
