@@ -20,16 +20,16 @@ inline constexpr int32_t kBlockSize = 8;  // pixels; one bit of a 64-bit mask ea
 
 // Bit 8 * row + column is the pixel (x + column, y + row).
 struct CoverageBlock {
-  int32_t x = 0;
-  int32_t y = 0;
-  uint64_t mask = 0;
+  int32_t x;
+  int32_t y;
+  uint64_t mask;
 };
 
 inline constexpr uint32_t kMaxBlocks = (kTileSize / kBlockSize) * (kTileSize / kBlockSize);  // of a tile
 
 // The blocks with a pixel in them, of one outline after the other: at most kMaxBlocks of each.
 struct TileCoverage {
-  std::array<CoverageBlock, size_t{2} * kMaxBlocks> blocks;
+  std::array<CoverageBlock, size_t{2} * kMaxBlocks> blocks;  // not cleared: many, for a tile with few
   uint32_t count = 0;
 };
 

@@ -21,6 +21,7 @@
 #include "renderer/tile_attachments.h"
 #include "renderer/tiny_shader.h"
 #include "renderer/triangle_buffer.h"
+#include "renderer/uncleared.h"
 
 namespace fillrule::renderer::internal {
 
@@ -273,7 +274,7 @@ class ShadingQueue {
       }
     }
     if constexpr (kHasRuns) {
-      shade_runs(PlanesOfPrimitives<P>{program_, primitives_, tile_pixels_}, first, entry);
+      shade_runs(PlanesOfPrimitives<P>{program_, primitives_.span(), tile_pixels_}, first, entry);
     }
     return entry;
   }
@@ -299,7 +300,7 @@ class ShadingQueue {
   TileAttachments& attachments_;
   bool has_lane_planes_;
   std::array<Entry, kMaxEntries + 1> entries_;  // the last is where those before it end
-  std::array<TilePrimitive<P>, kMaxEntries> primitives_;
+  Uncleared<TilePrimitive<P>, kMaxEntries> primitives_;
   uint32_t count_ = 0;
   Coverage coverage_;
   RunList runs_;

@@ -73,6 +73,7 @@ class LaneTriangleBuffer {
       interpolation.w[vertex] = positions_clip_[vertex][lane][3];
     }
     interpolation.depth_framebuffer = plane(planes_[3], lane);
+    interpolation.point_coord = {};
   }
 
   // The pixels at which the planes are anchored.
