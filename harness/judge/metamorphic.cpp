@@ -241,7 +241,7 @@ class Checker {
   // Where rounding may cover the sample or not. The cut leaves new vertices on the primitives' own edges, which move
   // them within the latitude: so not only samples along the cut.
   void remove_open_samples(const Case& variant, std::vector<size_t>& samples) const {
-    const exact::Expectation expectation(variant, party_.subpixel_bits);
+    const exact::Expectation expectation(variant, party_.subpixel_bits, samples);
     std::vector<exact::Entry> entries;
     std::erase_if(samples, [&](size_t sample) {
       expectation.collect(sample, entries);

@@ -74,6 +74,21 @@ Block block_of(const VkRect2D& pixels, bool centres) {
 }  // namespace
 
 Expectation::Expectation(const Case& test_case, uint32_t subpixel_bits) {
+  add_all(test_case, subpixel_bits);
+}
+
+Expectation::Expectation(const Case& test_case, uint32_t subpixel_bits, std::span<const size_t> samples) {
+  for (const size_t sample : samples) {
+    const SamplePlace place = sample_place(test_case.target, sample);
+    const VkOffset2D pixel{.x = static_cast<int32_t>(place.x), .y = static_cast<int32_t>(place.y)};
+    const bool is_known =
+        !some_pixels_.empty() && some_pixels_.back().x == pixel.x && some_pixels_.back().y == pixel.y;
+    if (!is_known) some_pixels_.push_back(pixel);
+  }
+  if (!samples.empty()) add_all(test_case, subpixel_bits);
+}
+
+void Expectation::add_all(const Case& test_case, uint32_t subpixel_bits) {
   const size_t samples = sample_locations(test_case.target.samples).size();
   sole_.assign(size_t{test_case.target.width} * test_case.target.height * samples, kNothing);
   uint32_t first_primitive = 0;
@@ -129,29 +144,17 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
   // Culled whichever way it faces, or certainly facing the culled way.
   if (is_culled && (!piece.facing_in_doubt || culled(state, !piece.front_facing))) return;
   const VkRect2D pixels = pixels_of(piece, state, test_case.target);
-  const auto right = pixels.offset.x + static_cast<int32_t>(pixels.extent.width);
-  const auto bottom = pixels.offset.y + static_cast<int32_t>(pixels.extent.height);
-  const auto for_each_block = [&](const auto& visit) {
-    for (int32_t y = pixels.offset.y; y < bottom; y += kBlockSize) {
-      for (int32_t x = pixels.offset.x; x < right; x += kBlockSize) {
-        const VkRect2D block{.offset = {.x = x, .y = y},
-                             .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
-                                        .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
-        classify_block(test_case, piece, block, kEveryBoundary, visit);
-      }
-    }
-  };
   // A sample further inside than the latitude proves that rounding cannot turn a triangle over.
   const bool is_triangle = piece.triangle() != nullptr;
   bool certain = false;
   if (!is_culled) {
-    for_each_block([&](const Classified& classified) {
+    classify_pixels(test_case, piece, pixels, [&](const Classified& classified) {
       certain = certain || (is_triangle && classified.classification.coverage == Coverage::kMust);
       append(classified, number);
     });
   } else {
     std::vector<Classified> open;
-    for_each_block([&](const Classified& classified) {
+    classify_pixels(test_case, piece, pixels, [&](const Classified& classified) {
       certain = certain || (is_triangle && classified.classification.coverage == Coverage::kMust);
       open.push_back(classified);
     });
@@ -160,6 +163,29 @@ void Expectation::add_piece(const Case& test_case, Piece added) {
     }
   }
   if (certain) pieces_[number].facing_in_doubt = false;
+}
+
+template <typename Visit>
+void Expectation::classify_pixels(const Case& test_case, const Piece& piece, const VkRect2D& pixels,
+                                  const Visit& visit) const {
+  const auto right = pixels.offset.x + static_cast<int32_t>(pixels.extent.width);
+  const auto bottom = pixels.offset.y + static_cast<int32_t>(pixels.extent.height);
+  // Whether a triangle may be turned over, any of its samples may tell.
+  if (!some_pixels_.empty() && !piece.facing_in_doubt) {
+    for (const VkOffset2D& pixel : some_pixels_) {
+      if (pixel.x < pixels.offset.x || pixel.x >= right || pixel.y < pixels.offset.y || pixel.y >= bottom) continue;
+      classify_block(test_case, piece, {.offset = pixel, .extent = {1, 1}}, kEveryBoundary, visit);
+    }
+    return;
+  }
+  for (int32_t y = pixels.offset.y; y < bottom; y += kBlockSize) {
+    for (int32_t x = pixels.offset.x; x < right; x += kBlockSize) {
+      const VkRect2D block{.offset = {.x = x, .y = y},
+                           .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
+                                      .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
+      classify_block(test_case, piece, block, kEveryBoundary, visit);
+    }
+  }
 }
 
 template <typename Visit>

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "cases/model/case.h"
@@ -54,6 +55,8 @@ inline constexpr uint32_t kSeveral = 0xFFFFFFFEU;
 class Expectation {
  public:
   Expectation(const Case& test_case, uint32_t subpixel_bits);
+  // Of these samples alone, ascending: cheap for a few. Nothing is to be asked of others.
+  Expectation(const Case& test_case, uint32_t subpixel_bits, std::span<const size_t> samples);
 
   // In the order in which they are drawn.
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
@@ -80,8 +83,12 @@ class Expectation {
     uint32_t first = 0;
     uint32_t last = 0;
   };
+  void add_all(const Case& test_case, uint32_t subpixel_bits);
   void add_draw(const Case& test_case, uint32_t draw, uint32_t first_primitive, uint32_t subpixel_bits);
   void add_piece(const Case& test_case, Piece added);
+  // Each calls visit(Classified) for what the piece must or may cover of the pixels.
+  template <typename Visit>
+  void classify_pixels(const Case& test_case, const Piece& piece, const VkRect2D& pixels, const Visit& visit) const;
   template <typename Visit>
   void classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block, DoubtBits undecided,
                       const Visit& visit) const;
@@ -92,6 +99,7 @@ class Expectation {
   void append(size_t sample, const Classification& classification, uint32_t number);
   void append_node(size_t sample, const Entry& entry);
 
+  std::vector<VkOffset2D> some_pixels_;  // that are asked about alone; empty: all
   std::vector<Piece> pieces_;
   std::vector<uint32_t> sole_;
   std::vector<Node> nodes_;

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
+#include "reference/exact/random_triangle.h"
+
 namespace fillrule::exact {
 namespace {
 
@@ -89,6 +93,40 @@ TEST(Expectation, AVisibleSampleSettlesTheFacingOfATriangleBehindTheEye) {
   behind.draws[0].positions = {{0, 0.9F, 0.5F, 1}, {-0.9F, -0.9F, 0.5F, 1}, {0.5F, 0, -0.5F, -1}};
   const Expectation expectation(behind, 8);
   EXPECT_FALSE(expectation.pieces()[0].facing_in_doubt);
+}
+
+TEST(Expectation, OfSomeSamplesIsTheSameThere) {
+  constexpr unsigned kSeed = 11;
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  std::mt19937_64 random(kSeed);
+  size_t entries_found = 0;
+  for (int round = 0; round < 300; ++round) {
+    Case some = square();
+    some.target.samples = round % 2 == 0 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT;
+    Draw& draw = some.draws.front();
+    draw.positions.clear();
+    draw.state.cull_mode = round % 3 == 0 ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
+    for (int i = 0; i < 8; ++i) {
+      const RandomTriangle picked =
+          random_triangle(static_cast<Family>(random() % static_cast<uint64_t>(kFamilies)), random);
+      for (const ClipPosition& vertex : picked.vertices) draw.positions.push_back(vertex);
+    }
+    const Expectation all(some, 8);
+    std::vector<size_t> samples;
+    for (size_t sample = 0; sample < all.sole().size(); ++sample) {
+      if (random() % 8 == 0) samples.push_back(sample);
+    }
+    const Expectation few(some, 8, samples);
+    for (const size_t sample : samples) {
+      std::vector<Entry> expected;
+      std::vector<Entry> found;
+      all.collect(sample, expected);
+      few.collect(sample, found);
+      EXPECT_EQ(found, expected) << "round " << round << ", sample " << sample;
+      entries_found += expected.size();
+    }
+  }
+  EXPECT_GT(entries_found, 1000U);
 }
 
 }  // namespace
