@@ -184,16 +184,21 @@ class CaseJudge {
     const Planes& planes = *candidate_.party.planes;
     const Planes* const other = has_reference() ? reference_->party.planes : nullptr;
     RowJudge& rows = candidate_.answers.rows;
-    marks_.assign(size, 0);
+    bool marked = false;  // nearly always both parties have the same bits
     for (uint32_t c = plane.first_component; c < plane.first_component + plane.components; ++c) {
       if (!rows.expect(plane.kind, c) || !rows.within(planes)) return false;
       if (reference_differs() && !reference_->answers.rows.expect(plane.kind, c)) return false;
-      const bool different = rows.mark_different(planes, other, marks_);
+      const bool different = other == nullptr || rows.differ(planes, *other);
       // Equal bits are as good for both, where the same is exact.
-      if (other == nullptr || !(different || reference_differs())) continue;
-      if (!reference_->answers.rows.within(*other)) return false;
+      if (other != nullptr && (different || reference_differs()) && !reference_->answers.rows.within(*other)) {
+        return false;
+      }
+      if (!different) continue;
+      if (!marked) marks_.assign(size, 0);
+      marked = true;
+      rows.mark_different(planes, other, marks_);
     }
-    const auto identical = static_cast<uint64_t>(std::count(marks_.begin(), marks_.end(), 0U));
+    const auto identical = marked ? static_cast<uint64_t>(std::count(marks_.begin(), marks_.end(), 0U)) : size;
     count(plane, Verdict::kIdentical, identical);
     count(plane, Verdict::kPermitted, size - identical);
     return true;

@@ -126,6 +126,12 @@ bool RowJudge::expect(PlaneKind kind, uint32_t component) {
   return top_ == exact::kNothing ? expect_constant(0) : expect_varying(component);
 }
 
+// Room for the run's samples. What was larger stays so: what is added is cleared.
+std::span<double> RowJudge::first_of(std::vector<double>& values) const {
+  if (values.size() < size_) values.resize(size_);
+  return std::span(values).first(size_);
+}
+
 bool RowJudge::expect_constant(float value) {
   constant_ = value;
   return true;
@@ -138,10 +144,9 @@ bool RowJudge::expect_depth() {
     return expect_constant(exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth}));
   }
   if (has_several_samples() || !has_plain_depth(*state, case_.target.depth_format)) return false;
-  expected_.resize(size_);
-  least_.resize(size_);
-  values_.triangle(top_).depth_row(x_, y_, expected_, least_);
-  for (double& depth : expected_) depth = std::clamp(depth, 0.0, 1.0);
+  const std::span<double> expected = first_of(expected_);
+  values_.triangle(top_).depth_row(x_, y_, expected, first_of(least_));
+  for (double& depth : expected) depth = std::clamp(depth, 0.0, 1.0);
   return true;
 }
 
@@ -152,38 +157,36 @@ bool RowJudge::expect_varying(uint32_t component) {
   if (prepared.interpolation == Interpolation::kFlat) return expect_constant(prepared.provoking);
   if (!prepared.judged || has_several_samples()) return false;
   if (!has_w_ && prepared.interpolation == Interpolation::kSmooth) {
-    w_.resize(size_);
-    triangle.w_row(x_, y_, w_);
+    triangle.w_row(x_, y_, first_of(w_));
     has_w_ = true;
   }
-  expected_.resize(size_);
-  least_.resize(size_);
-  triangle.varying_row(prepared, x_, y_, w_, expected_, least_);
+  triangle.varying_row(prepared, x_, y_, w_, first_of(expected_), first_of(least_));
   return true;
 }
 
 bool RowJudge::within(const Planes& planes) const {
   const float* const row = values(planes);
-  return constant_ ? all_equal(row, size_, *constant_) : all_within(row, expected_, least_);
+  if (constant_) return all_equal(row, size_, *constant_);
+  return all_within(row, std::span(expected_).first(size_), std::span(least_).first(size_));
 }
 
-bool RowJudge::mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const {
+bool RowJudge::differ(const Planes& a, const Planes& b) const {
+  return std::memcmp(values(a), values(b), size_ * sizeof(float)) != 0;
+}
+
+void RowJudge::mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const {
   const float* const row = values(planes);
-  uint32_t different = 0;
-  const auto mark = [&](size_t i, uint32_t difference) {
-    marks[i] |= difference;
-    different |= difference;
-  };
   if (other != nullptr) {
     const float* const others = values(*other);
-    for (size_t i = 0; i < size_; ++i) mark(i, std::bit_cast<uint32_t>(row[i]) ^ std::bit_cast<uint32_t>(others[i]));
+    for (size_t i = 0; i < size_; ++i) {
+      marks[i] |= std::bit_cast<uint32_t>(row[i]) ^ std::bit_cast<uint32_t>(others[i]);
+    }
   } else if (!constant_) {
-    for (size_t i = 0; i < size_; ++i) mark(i, row[i] == static_cast<float>(expected_[i]) ? 0U : 1U);
+    for (size_t i = 0; i < size_; ++i) marks[i] |= row[i] == static_cast<float>(expected_[i]) ? 0U : 1U;
   } else if (std::isnan(*constant_)) {
     // All values have its bits; NaN is no value.
-    for (size_t i = 0; i < size_; ++i) mark(i, 1);
+    std::ranges::fill(marks, 1U);
   }
-  return different != 0;
 }
 
 const float* RowJudge::values(const Planes& planes) const {

@@ -39,10 +39,11 @@ class RowJudge {
   bool expect(PlaneKind kind, uint32_t component);
   // A party's values are all within their tolerance.
   [[nodiscard]] bool within(const Planes& planes) const;
+  // Whether two parties' values differ in their bits.
+  [[nodiscard]] bool differ(const Planes& a, const Planes& b) const;
   // Sets a bit in each sample's mark whose value has other bits than the other party's, or, where there is none, is
-  // not the exact value rounded to float32, and returns whether there is one. The first party's values must be within
-  // their tolerance.
-  bool mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const;
+  // not the exact value rounded to float32. The first party's values must be within their tolerance.
+  void mark_different(const Planes& planes, const Planes* other, std::span<uint32_t> marks) const;
 
  private:
   enum class Landing : uint8_t { kUnknown, kCertain, kUncertain };
@@ -51,6 +52,7 @@ class RowJudge {
   bool expect_depth();
   bool expect_varying(uint32_t component);
   bool expect_constant(float value);
+  std::span<double> first_of(std::vector<double>& values) const;
   // Those of a pixel have values of their own, which are asked for one by one.
   [[nodiscard]] bool has_several_samples() const { return case_.target.samples != VK_SAMPLE_COUNT_1_BIT; }
   // A party's values, from the run's first sample on.
@@ -68,7 +70,7 @@ class RowJudge {
   double x_ = 0;
   double y_ = 0;
   bool has_w_ = false;
-  std::vector<double> w_;
+  std::vector<double> w_;  // of the run's samples, as what follows; there may be more
   // Of the plane that was asked for last.
   PlaneKind kind_ = PlaneKind::kDepth;
   uint32_t component_ = 0;
