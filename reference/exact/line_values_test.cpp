@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
+#include <random>
 
 namespace fillrule::exact {
 namespace {
@@ -78,6 +80,45 @@ TEST(LineValues, OfABresenhamLineMayFollowItsMajorAxis) {
   LineValues projected = values_of(a, b);
   projected.add_component(Interpolation::kNoperspective, {0, 20}, 0);
   EXPECT_NEAR(projected.varying_for(0, 10, 20, 26).value, 10.4, 1e-5);
+}
+
+TEST(LineValues, OfLeastToleranceAreTheSameAndTheirToleranceNoLarger) {
+  constexpr unsigned kSeed = 23;
+  SCOPED_TRACE(testing::Message() << "seed " << kSeed);
+  std::mt19937 random(kSeed);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  const std::array rules{LineValues::Rule::kProjected, LineValues::Rule::kBresenham,
+                         LineValues::Rule::kWideBresenham};
+  constexpr std::array<uint32_t, 2> kBoth{0, 1};
+  int close = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const double w = i % 2 == 0 ? 1 : between(0.1, 100);
+    const ClipPosition a = at(between(-20, 80), between(-20, 80), between(0, 1), between(0.5, 2));
+    const ClipPosition b = at(between(-20, 80), between(-20, 80), between(0, 1), w);
+    LineValues values = values_of(a, b, rules[static_cast<size_t>(i) % rules.size()]);
+    values.add_component(Interpolation::kSmooth, {1, static_cast<float>(between(-3, 3))}, 0);
+    values.add_component(Interpolation::kNoperspective, {1, static_cast<float>(between(-3, 3))}, 0);
+    const double x = std::floor(between(0, 64)) + 0.5;
+    const double y = std::floor(between(0, 64)) + 0.5;
+    std::array<Expected, 2> all;
+    std::array<Expected, 2> least;
+    values.varyings(x, y, kBoth, all);
+    values.least_varyings(x, y, kBoth, least);
+    for (uint32_t c = 0; c < 2; ++c) {
+      EXPECT_NEAR(least[c].value, all[c].value, 1e-12 * (1 + std::abs(all[c].value))) << i;
+      EXPECT_LE(least[c].tolerance, all[c].tolerance * (1 + 1e-12)) << i;
+      close += least[c].tolerance >= all[c].tolerance / 16 ? 1 : 0;
+      // A value just beyond all of the tolerance is told so whichever of both is asked.
+      constexpr double kOfFloat = 0x1p-22;  // more than converting it to float32 rounds
+      const double beyond = all[c].value + all[c].tolerance * 1.01 + kOfFloat * std::abs(all[c].value);
+      if (!std::isfinite(beyond)) continue;
+      const Expected asked = values.varying_for(c, static_cast<float>(beyond), x, y);
+      EXPECT_GT(std::abs(double{static_cast<float>(beyond)} - asked.value), asked.tolerance) << i;
+    }
+  }
+  EXPECT_GT(close, 1000);
 }
 
 TEST(LineValues, WithoutFiniteInputNothingIsJudged) {

@@ -93,6 +93,7 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
   SCOPED_TRACE(kSeed);
   std::mt19937_64 random(kSeed);
   int compared = 0;
+  int narrow = 0;
   for (int i = 0; i < 3000; ++i) {
     const auto family = static_cast<Family>(i % static_cast<int>(kFamilies));
     const RandomTriangle picked = random_triangle(family, random);
@@ -119,6 +120,10 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
       expect_accurate(values.varying(linear, x, y), exact_noperspective(triangle, q, x, y), "noperspective");
       EXPECT_LE(least_in_row(values, smooth, x, y), values.varying(smooth, x, y).tolerance) << i;
       EXPECT_LE(least_in_row(values, linear, x, y), values.varying(linear, x, y).tolerance) << i;
+      const Expected inside = values.depth_inside(x, y);
+      EXPECT_EQ(inside.value, values.depth(x, y).value) << i;
+      EXPECT_GE(inside.tolerance, values.depth(x, y).tolerance) << i;
+      narrow += inside.tolerance <= 16 * values.depth(x, y).tolerance ? 1 : 0;
       std::array<Expected, 2> all;
       std::array<Expected, 2> least;
       constexpr std::array<uint32_t, 2> kBoth{0, 1};
@@ -131,6 +136,7 @@ TEST(TriangleValues, DoublesAreAccurateComparedToTheBound) {
     }
   }
   EXPECT_GT(compared, 1000);
+  EXPECT_GT(narrow, 100);
 }
 
 TEST(TriangleValues, DoublesAreNoFurtherFromTheExactValuesThanTheySay) {
