@@ -125,6 +125,12 @@ TEST(Runs, AreJudgedAsTheirSamplesAre) {
       EXPECT_EQ(in_runs.planes[p].bounds, one_by_one.planes[p].bounds) << in_runs.planes[p].name;
     }
     EXPECT_EQ(in_runs.reference_faults(), 0U);
+    const CaseVerdict other_way = judge(test_case, reference, &candidate, {});
+    const CaseVerdict other_way_one_by_one = judge(test_case, reference, &candidate, {.keep_maps = true});
+    for (size_t p = 0; p < other_way.planes.size(); ++p) {
+      EXPECT_EQ(other_way.planes[p].counts, other_way_one_by_one.planes[p].counts) << other_way.planes[p].name;
+    }
+    EXPECT_EQ(other_way.candidate_faults(), 0U);
     const CaseVerdict alone_in_runs = judge(test_case, candidate, nullptr, {});
     const CaseVerdict alone_one_by_one = judge(test_case, candidate, nullptr, {.keep_maps = true});
     for (size_t p = 0; p < alone_in_runs.planes.size(); ++p) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
+#include <thread>
 
 namespace fillrule::run {
 namespace {
@@ -46,14 +48,22 @@ TEST(JobQueue, IsNeverShortWhilePicturesPileUp) {
 }
 
 TEST(JobQueue, KeepsTakersUntilNothingIsLeftAndNobodyMakesMore) {
-  constexpr size_t kJobs = 100;
+  constexpr size_t kJobs = 20;
   JobQueue queue(3, 1);
   std::atomic<size_t> taken = 0;
+  const auto wait_until_taken = [&](size_t jobs) {
+    for (int i = 0; i < 2000 && taken < jobs; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return taken == jobs;
+  };
   {
     const Workers takers(2, [&](uint32_t) {
       while (queue.pop()) ++taken;
     });
-    for (size_t i = 0; i < kJobs; ++i) queue.push({.index = i});
+    // Each when the queue has been empty.
+    for (size_t i = 0; i < kJobs; ++i) {
+      queue.push({.index = i});
+      ASSERT_TRUE(wait_until_taken(i + 1)) << i;
+    }
     queue.stop_making();
   }
   EXPECT_EQ(taken, kJobs);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "reference/exact/random_triangle.h"
@@ -100,21 +101,31 @@ TEST(Expectation, OfSomeSamplesIsTheSameThere) {
   SCOPED_TRACE(testing::Message() << "seed " << kSeed);
   std::mt19937_64 random(kSeed);
   size_t entries_found = 0;
-  for (int round = 0; round < 300; ++round) {
+  for (int round = 0; round < 1500; ++round) {
     Case some = square();
     some.target.samples = round % 2 == 0 ? VK_SAMPLE_COUNT_1_BIT : VK_SAMPLE_COUNT_4_BIT;
     Draw& draw = some.draws.front();
     draw.positions.clear();
-    draw.state.cull_mode = round % 3 == 0 ? VK_CULL_MODE_BACK_BIT : VK_CULL_MODE_NONE;
-    for (int i = 0; i < 8; ++i) {
-      const RandomTriangle picked =
-          random_triangle(static_cast<Family>(random() % static_cast<uint64_t>(kFamilies)), random);
+    draw.state.cull_mode = round % 3 == 0 ? VK_CULL_MODE_NONE : VK_CULL_MODE_BACK_BIT;
+    for (size_t i = 0; i < 3; ++i) {
+      // Those with w of both signs are in doubt about their facing until some sample tells.
+      const auto family = i < 2 ? Family::kMixedW : static_cast<Family>(random() % kFamilies);
+      const RandomTriangle picked = random_triangle(family, random);
       for (const ClipPosition& vertex : picked.vertices) draw.positions.push_back(vertex);
     }
     const Expectation all(some, 8);
+    Case unculled = some;
+    unculled.draws.front().state.cull_mode = VK_CULL_MODE_NONE;
+    const Expectation open(unculled, 8);
+    // Those that may be covered, which tell least, and a few others.
     std::vector<size_t> samples;
+    std::vector<Entry> entries;
     for (size_t sample = 0; sample < all.sole().size(); ++sample) {
-      if (random() % 8 == 0) samples.push_back(sample);
+      open.collect(sample, entries);
+      const bool is_open = !entries.empty() && std::ranges::all_of(entries, [](const Entry& entry) {
+        return entry.coverage == Coverage::kMay;
+      });
+      if (is_open || random() % 64 == 0) samples.push_back(sample);
     }
     const Expectation few(some, 8, samples);
     for (const size_t sample : samples) {
