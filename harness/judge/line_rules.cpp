@@ -19,7 +19,7 @@ using exact::Piece;
 struct Cell {
   int64_t column = 0;
   int64_t row = 0;
-  auto operator<=>(const Cell&) const = default;
+  auto operator<=>(const Cell&) const = default;  // NOLINT(modernize-use-nullptr): mistakes the 0 within
 };
 // Of one line, ascending.
 using Cells = std::vector<Cell>;
@@ -35,8 +35,8 @@ struct DrawnLine {
 
 // The cells of one column.
 std::span<const Cell> in_column(const Cells& cells, int64_t column) {
-  const auto found = std::ranges::equal_range(cells, column, {}, &Cell::column);
-  return {found.begin(), found.end()};
+  return {std::ranges::lower_bound(cells, column, {}, &Cell::column),
+          std::ranges::upper_bound(cells, column, {}, &Cell::column)};
 }
 
 // Calls visit(cells of a column) for each column.
@@ -90,7 +90,7 @@ class LineRules {
       previous = &line;
     }
     std::ranges::sort(broken_);
-    broken_.erase(std::ranges::unique(broken_).begin(), broken_.end());
+    broken_.erase(std::unique(broken_.begin(), broken_.end()), broken_.end());
     return std::move(broken_);
   }
 

@@ -92,7 +92,7 @@ class LineValues final : public PieceValues {
 
   [[nodiscard]] float provoking(uint32_t component) const override { return components_[component].provoking; }
   [[nodiscard]] bool judged(uint32_t component) const override { return components_[component].judged; }
-  [[nodiscard]] Expected varying_for(uint32_t component, float value, double x, double y) const override;
+  [[nodiscard]] Expected varying_for(uint32_t number, float value, double x, double y) const override;
   void least_varyings(double x, double y, std::span<const uint32_t> wanted,
                       std::span<Expected> components) const override;
   [[nodiscard]] Tolerance varying_tolerance(uint32_t component, double x, double y) const override;
