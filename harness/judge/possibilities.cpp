@@ -310,7 +310,7 @@ exact::DepthRange Replay::depth_range_of(uint32_t piece, double x, double y) {
   return range_in(case_.target.depth_format, state, values_.values(piece).depth(x, y));
 }
 
-// The same for a piece that must cover the sample, or more: nearly always that is enough to know.
+// A wider range of a piece that must cover the sample, which is cheaper to tell, and nearly always tells enough.
 exact::DepthRange Replay::depth_range_inside(uint32_t piece, double x, double y) {
   if (!has_values(expectation_.pieces()[piece])) return depth_range_of(piece, x, y);
   const RasterState& state = case_.draws[expectation_.pieces()[piece].draw].state;

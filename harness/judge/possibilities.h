@@ -131,7 +131,7 @@ class Replay {
   std::vector<exact::Entry> entries_;
   std::vector<Outcome> before_;
   std::optional<exact::DepthRange> stored_;  // in any of the outcomes so far, if it was asked for
-  bool stored_is_rough_ = false;             // ... and may be narrower (depth_range_inside())
+  bool stored_is_rough_ = false;             // ... and is wider than need be (depth_range_inside())
   std::vector<size_t> landed_;               // the outcomes in which the piece being drawn landed
   Possibilities possibilities_;
   bool used_rules_ = false;

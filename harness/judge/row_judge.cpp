@@ -126,7 +126,7 @@ bool RowJudge::expect(PlaneKind kind, uint32_t component) {
   return top_ == exact::kNothing ? expect_constant(0) : expect_varying(component);
 }
 
-// Room for the run's samples. What was larger stays so: what is added is cleared.
+// Room for the run's samples. Never made smaller: a vector clears whatever is added to it again.
 std::span<double> RowJudge::first_of(std::vector<double>& values) const {
   if (values.size() < size_) values.resize(size_);
   return std::span(values).first(size_);

@@ -113,7 +113,7 @@ ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRang
     const double material = uniforms.color[channel];
     const auto [low, high] = std::minmax({bounds[c].low * material, bounds[c].high * material});
     bounds[c] = {low, high};
-    double rounding = 0x1p-18;
+    double rounding = kRounding;
     if (uniforms.lights >= 0) {
       const double shine = uniforms.specular[channel];
       const Interval factor = light.diffuse[c];

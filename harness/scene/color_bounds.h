@@ -50,6 +50,9 @@ struct SamplerPrecision {
   uint32_t mipmap_bits = 4;
 };
 
+// Of the colour's size, what float32 rounds on the way to it: see above.
+inline constexpr double kRounding = 0x1p-18;
+
 // A highlight without colour adds nothing, and is most of the work. Asked here, not of the program that is judged.
 bool has_highlights(const programs::ShadingUniforms& uniforms);
 
@@ -61,7 +64,8 @@ ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRang
 // The colour in the middle of the range, its errors left aside: much cheaper, and any that is within kLeastRounding
 // of it in each channel is within color_bounds(). Not for mipmapped textures.
 std::array<double, 3> exact_color(const programs::DrawShading& shading, const SurfaceRange& range);
-// What every colour is let be off by for its rounding, less what these functions round themselves.
-inline constexpr double kLeastRounding = 0x1p-18 * (1 - 0x1p-20);
+// color_bounds() leaves at least kRounding on either side of whatever the range allows, the exact colour among it.
+// Both functions round some fifty times in double, numbers of the colour's size: far less than 2^-20 of that.
+inline constexpr double kLeastRounding = kRounding * (1 - 0x1p-20);
 
 }  // namespace fillrule::scene

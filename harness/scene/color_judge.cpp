@@ -22,6 +22,7 @@ constexpr auto kAllComponents = [] {
   std::iota(all.begin(), all.end(), 0U);
   return all;
 }();
+constexpr std::array<uint32_t, 2> kUvComponents{programs::kUvComponent, programs::kUvComponent + 1};
 
 // Which colours parties of equal subpixel bits may have, sample by sample.
 class AllowedColors {
@@ -147,13 +148,10 @@ class AllowedColors {
     return components;
   }
 
-  // With the least tolerances only what the shading of the draw depends on; with the real ones all components: nobody
-  // is accused where any of them is open. Returns whether they are finite.
-  bool read_components(Tolerances tolerances, uint32_t draw, const exact::PieceValues& values, double x, double y,
-                       Components& components) const {
-    std::span<const uint32_t> wanted = kAllComponents;
+  // Those that are wanted; returns whether their tolerances are finite.
+  static bool read_components(Tolerances tolerances, std::span<const uint32_t> wanted,
+                              const exact::PieceValues& values, double x, double y, Components& components) {
     if (tolerances == Tolerances::kLeast) {
-      wanted = read_components_[draw];
       values.least_varyings(x, y, wanted, components);
     } else {
       values.varyings(x, y, wanted, components);
@@ -167,7 +165,10 @@ class AllowedColors {
   // said.
   bool find_range(Tolerances tolerances, uint32_t number, const exact::Piece& piece, double x, double y) {
     const exact::PieceValues& exact_values = values(number, piece);
-    if (!read_components(tolerances, piece.draw, exact_values, x, y, here_)) return false;
+    // With the real tolerances all components: nobody is accused where any of them is open.
+    std::span<const uint32_t> wanted = kAllComponents;
+    if (tolerances == Tolerances::kLeast) wanted = read_components_[piece.draw];
+    if (!read_components(tolerances, wanted, exact_values, x, y, here_)) return false;
     for (uint32_t c = 0; c < 3; ++c) {
       const auto i = static_cast<glm::length_t>(c);
       const exact::Expected& position = here_[programs::kPositionComponent + c];
@@ -183,19 +184,16 @@ class AllowedColors {
       range_.uv_error[i] = here_[programs::kUvComponent + c].tolerance;
     }
     return shading_[piece.draw].uniforms.mipmapped == 0 ||
-           (find_step(tolerances, piece.draw, exact_values, 0, x, y) &&
-            find_step(tolerances, piece.draw, exact_values, 1, x, y));
+           (find_step(tolerances, exact_values, 0, x, y) && find_step(tolerances, exact_values, 1, x, y));
   }
 
   // The difference along one axis in the quad of pixels that begins at even coordinates.
-  bool find_step(Tolerances tolerances, uint32_t draw, const exact::PieceValues& exact_values, uint32_t axis,
-                 double x, double y) {
+  bool find_step(Tolerances tolerances, const exact::PieceValues& exact_values, uint32_t axis, double x, double y) {
     const bool is_first = std::fmod(std::floor(axis == 0 ? x : y), 2) == 0;
     const double to_other = is_first ? 1 : -1;
-    if (!read_components(tolerances, draw, exact_values, axis == 0 ? x + to_other : x, axis == 0 ? y : y + to_other,
-                         there_)) {
-      return false;
-    }
+    const double there_x = axis == 0 ? x + to_other : x;
+    const double there_y = axis == 0 ? y : y + to_other;
+    if (!read_components(tolerances, kUvComponents, exact_values, there_x, there_y, there_)) return false;
     for (uint32_t c = 0; c < 2; ++c) {
       const auto i = static_cast<glm::length_t>(c);
       const exact::Expected& uv = there_[programs::kUvComponent + c];

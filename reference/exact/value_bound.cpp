@@ -65,6 +65,7 @@ TriangleValues::TriangleValues(const Triangle& triangle, const Latitude& latitud
 
 // The condition is a convex function of the position, and so is what a bias rounds: largest at a vertex. Inside A
 // is 1.
+// The factor leaves room for what doubles round: a wider range decides about less.
 void TriangleValues::set_largest_depth_tolerance() {
   largest_depth_tolerance_ = triangle_->in_front() ? 0 : kUnbounded;
   for (size_t i = 0; i < 3 && std::isfinite(largest_depth_tolerance_); ++i) {
