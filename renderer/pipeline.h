@@ -63,12 +63,12 @@ struct DrawMemory {
 // the byte.
 template <Program P>
 Result<void> draw(const DrawInput& input, const P& program, const Options& options) {
-  const Result<PreparedDraw> prepared = prepare_draw(input, options);
-  if (!prepared) {
-    return tl::unexpected(prepared.error());
+  if (const Result<void> checked = check_draw(input, options); !checked) {
+    return checked;
   }
+  const PreparedDraw prepared = prepare_draw(input, options);
   const bool has_samples = (input.state.sample_mask & ((1U << input.samples) - 1)) != 0;
-  if (prepared->setup.clip_pixels.empty() || !has_samples || prepared->assembly.count() == 0) {
+  if (prepared.setup.clip_pixels.empty() || !has_samples || prepared.assembly.count() == 0) {
     clear_around(input, {});
     return {};
   }
@@ -88,17 +88,17 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
     for (uint32_t vertex = first; vertex < end; ++vertex) {
       positions_clip[vertex] = program.position(vertex);
     }
-    prepared->make_window_vertices(first, end, positions_clip, window_vertices);
+    prepared.make_window_vertices(first, end, positions_clip, window_vertices);
   });
 
   // Step 2: batches of primitives, so that bins need not hold all of them: setup in chunks, then tile by tile.
   constexpr size_t kCostOfSetup = 30;
-  const TileGrid grid(prepared->setup.clip_pixels);
+  const TileGrid grid(prepared.setup.clip_pixels);
   clear_around(input, grid.pixels());
-  const uint32_t primitives = prepared->assembly.count();
+  const uint32_t primitives = prepared.assembly.count();
   const uint32_t all_chunks = (primitives - 1) / kPrimitivesInChunk + 1;
-  const size_t room_of_chunk = size_t{prepared->parts_of_primitive()} * std::min(primitives, kPrimitivesInChunk);
-  const uint32_t chunks_at_once = std::min(all_chunks, kChunksInBatch / prepared->parts_of_primitive());
+  const size_t room_of_chunk = size_t{prepared.parts_of_primitive()} * std::min(primitives, kPrimitivesInChunk);
+  const uint32_t chunks_at_once = std::min(all_chunks, kChunksInBatch / prepared.parts_of_primitive());
   const std::span<SetupPrimitive> room = memory.primitives.room_for(room_of_chunk * chunks_at_once);
   std::vector<PrimitiveChunk> chunks;
   chunks.reserve(chunks_at_once);
@@ -108,7 +108,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
   for (uint32_t first_chunk = 0; first_chunk < all_chunks; first_chunk += chunks_at_once) {
     const uint32_t batch_chunks = std::min(chunks_at_once, all_chunks - first_chunk);
     const std::vector<uint32_t> calls =
-        chunks_by_bands(*prepared, grid, window_vertices, {first_chunk, batch_chunks}, workers.threads());
+        chunks_by_bands(prepared, grid, window_vertices, {first_chunk, batch_chunks}, workers.threads());
     workers.parallel_for(calls.size(), kCostOfSetup * kPrimitivesInChunk * batch_chunks, [&](size_t call) {
       const uint32_t chunk = calls[call];
       if (chunk == kNoChunk) {
@@ -116,7 +116,7 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
       }
       const uint32_t first = (first_chunk + chunk) * kPrimitivesInChunk;
       const uint32_t end = first + std::min(kPrimitivesInChunk, primitives - first);
-      build_chunk(*prepared, grid, positions_clip, window_vertices, first, end, chunks[chunk]);
+      build_chunk(prepared, grid, positions_clip, window_vertices, first, end, chunks[chunk]);
     });
     const std::span<const PrimitiveChunk> batch(chunks.data(), batch_chunks);
     size_t cost = first_chunk == 0 && input.clears() ? size_t{grid.count()} * kTileSize * kTileSize : 0;
@@ -130,14 +130,14 @@ Result<void> draw(const DrawInput& input, const P& program, const Options& optio
       // A function for each kind of coverage: one for both would take longer to compile than the two.
       if (input.samples == 1) {
         dispatch(
-            prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
-              internal::shade_tile<L, TileCoverage>(*prepared, program, positions_clip, pixels, index, batch,
+            prepared.isa, [&]<typename L>() __attribute__((always_inline)) {
+              internal::shade_tile<L, TileCoverage>(prepared, program, positions_clip, pixels, index, batch,
                                                     is_first);
             });
       } else {
         dispatch(
-            prepared->isa, [&]<typename L>() __attribute__((always_inline)) {
-              internal::shade_tile<L, SampledTileCoverage>(*prepared, program, positions_clip, pixels, index, batch,
+            prepared.isa, [&]<typename L>() __attribute__((always_inline)) {
+              internal::shade_tile<L, SampledTileCoverage>(prepared, program, positions_clip, pixels, index, batch,
                                                            is_first);
             });
       }

@@ -64,14 +64,13 @@ TEST(Pipeline, GivesThreadsTheChunksOfTheirBands) {
       .vertices = {.topology = VK_PRIMITIVE_TOPOLOGY_TRIANGLE_LIST, .vertex_count = 3 * kPrimitivesInChunk * kChunks},
       .state = {.viewport = {.width = 512, .height = 512, .maxDepth = 1},
                 .scissor = {.extent = {.width = 512, .height = 512}}}};
-  const Result<PreparedDraw> prepared = prepare_draw(input, {});
-  ASSERT_TRUE(prepared) << to_string(prepared.error());
-  const TileGrid grid(prepared->setup.clip_pixels);
+  const PreparedDraw prepared = prepare_draw(input, {});
+  const TileGrid grid(prepared.setup.clip_pixels);
   std::vector<WindowVertex> vertices(input.vertices.vertex_count);
   const auto put = [&](uint32_t chunk, int32_t y, ClipCode clip_code) {
     for (uint32_t i = 0; i < 3 * kPrimitivesInChunk; ++i) {
       WindowVertex& vertex = vertices[size_t{chunk} * 3 * kPrimitivesInChunk + i];
-      vertex.position.y_fixed = y << prepared->subpixel_bits;
+      vertex.position.y_fixed = y << prepared.subpixel_bits;
       vertex.clip_code = clip_code;
     }
   };
@@ -80,11 +79,10 @@ TEST(Pipeline, GivesThreadsTheChunksOfTheirBands) {
   put(2, 128, 0);
   put(3, 400, 0);
   put(4, 400, 1);
-  EXPECT_THAT(chunks_by_bands(*prepared, grid, vertices, {0, kChunks}, 2),
+  EXPECT_THAT(chunks_by_bands(prepared, grid, vertices, {0, kChunks}, 2),
               ::testing::ElementsAre(0, 2, 1, 3, 4, kNoChunk));
-  EXPECT_THAT(chunks_by_bands(*prepared, grid, vertices, {2, 2}, 2),
-              ::testing::ElementsAre(kNoChunk, 0, kNoChunk, 1));
-  EXPECT_THAT(chunks_by_bands(*prepared, grid, vertices, {0, kChunks}, 1), ::testing::ElementsAre(0, 1, 2, 3, 4));
+  EXPECT_THAT(chunks_by_bands(prepared, grid, vertices, {2, 2}, 2), ::testing::ElementsAre(kNoChunk, 0, kNoChunk, 1));
+  EXPECT_THAT(chunks_by_bands(prepared, grid, vertices, {0, kChunks}, 1), ::testing::ElementsAre(0, 1, 2, 3, 4));
 }
 
 TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {
@@ -227,12 +225,11 @@ TEST(Pipeline, PlaneEquationsDoNotDependOnTheScissorOrTheTarget) {
   const auto anchor_of = [](const VkRect2D& scissor, uint32_t size) {
     TestScene scene = everything(64, 64);
     scene.state.scissor = scissor;
-    const Result<PreparedDraw> prepared = prepare_draw(
+    const PreparedDraw prepared = prepare_draw(
         {.target_width = size, .target_height = size, .vertices = {.vertex_count = 3}, .state = scene.state}, {});
-    EXPECT_TRUE(prepared);
     const std::array<FixedPosition, 3> outline = {{{10 * 256, 300 * 256}, {20 * 256, -5 * 256}, {12 * 256, 0}}};
     const PrimitiveInterpolation interpolation =
-        make_interpolation(*prepared, {.indices = {0, 1, 2}}, scene.positions, outline);
+        make_interpolation(prepared, {.indices = {0, 1, 2}}, scene.positions, outline);
     return std::pair(interpolation.anchor_x, interpolation.anchor_y);
   };
   const auto whole = anchor_of({{0, 0}, {64, 64}}, 64);

@@ -90,42 +90,6 @@ Result<void> check_size(std::string_view kind, size_t values, const DrawInput& i
   return {};
 }
 
-Result<void> check(const DrawInput& input, const Options& options) {
-  if (!is_supported(options.isa)) {
-    return failure(fmt::format("this processor does not have {}", to_string(options.isa)),
-                   fmt::format("the greatest that it has is {}", to_string(best_isa())));
-  }
-  if (options.subpixel_bits < kMinSubpixelBits || options.subpixel_bits > kMaxSubpixelBits) {
-    return failure(fmt::format("{} subpixel bits", options.subpixel_bits),
-                   fmt::format("{} to {}", kMinSubpixelBits, kMaxSubpixelBits));
-  }
-  if (input.target_width == 0 || input.target_width > kMaxTargetSize || input.target_height == 0 ||
-      input.target_height > kMaxTargetSize) {
-    return failure(fmt::format("target of {} x {} pixels", input.target_width, input.target_height),
-                   fmt::format("1 to {}", kMaxTargetSize));
-  }
-  if (standard_sample_locations(input.samples).empty()) {
-    return failure(fmt::format("{} samples a pixel", input.samples), "1, 2, 4, 8 or 16");
-  }
-  const size_t depth_values = input.depth.values.size();
-  if (auto checked = check_size("depth", depth_values, input); !checked) {
-    return checked;
-  }
-  if (auto checked = check_size("color", input.color.values.size(), input); !checked) {
-    return checked;
-  }
-  const VkFormat format = input.depth.format;
-  if (depth_values != 0 && format != VK_FORMAT_D32_SFLOAT && max_depth_code(format) == 0) {
-    return failure(fmt::format("depth format {}", static_cast<int>(format)),
-                   "D16_UNORM, X8_D24_UNORM_PACK32 or D32_SFLOAT");
-  }
-  return check_viewport(input.state.viewport)
-      .and_then([&] { return check_topology(input.vertices.topology); })
-      .and_then([&] { return check_lines_and_points(input); })
-      .and_then([&] { return check_indices(input.vertices); })
-      .and_then([&] { return check_distances(input); });
-}
-
 // The scissor's part of the target; its end may be beyond 2^31.
 PixelRect scissor_pixels(const VkRect2D& scissor, uint32_t width, uint32_t height) {
   const auto clamped = [](int64_t value, uint32_t limit) {
@@ -218,10 +182,43 @@ void PreparedDraw::make_window_vertices(uint32_t first, uint32_t end, std::span<
   }
 }
 
-Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options) {
-  if (const Result<void> checked = check(input, options); !checked) {
-    return tl::unexpected(checked.error());
+Result<void> check_draw(const DrawInput& input, const Options& options) {
+  if (!is_supported(options.isa)) {
+    return failure(fmt::format("this processor does not have {}", to_string(options.isa)),
+                   fmt::format("the greatest that it has is {}", to_string(best_isa())));
   }
+  if (options.subpixel_bits < kMinSubpixelBits || options.subpixel_bits > kMaxSubpixelBits) {
+    return failure(fmt::format("{} subpixel bits", options.subpixel_bits),
+                   fmt::format("{} to {}", kMinSubpixelBits, kMaxSubpixelBits));
+  }
+  if (input.target_width == 0 || input.target_width > kMaxTargetSize || input.target_height == 0 ||
+      input.target_height > kMaxTargetSize) {
+    return failure(fmt::format("target of {} x {} pixels", input.target_width, input.target_height),
+                   fmt::format("1 to {}", kMaxTargetSize));
+  }
+  if (standard_sample_locations(input.samples).empty()) {
+    return failure(fmt::format("{} samples a pixel", input.samples), "1, 2, 4, 8 or 16");
+  }
+  const size_t depth_values = input.depth.values.size();
+  if (auto checked = check_size("depth", depth_values, input); !checked) {
+    return checked;
+  }
+  if (auto checked = check_size("color", input.color.values.size(), input); !checked) {
+    return checked;
+  }
+  const VkFormat format = input.depth.format;
+  if (depth_values != 0 && format != VK_FORMAT_D32_SFLOAT && max_depth_code(format) == 0) {
+    return failure(fmt::format("depth format {}", static_cast<int>(format)),
+                   "D16_UNORM, X8_D24_UNORM_PACK32 or D32_SFLOAT");
+  }
+  return check_viewport(input.state.viewport)
+      .and_then([&] { return check_topology(input.vertices.topology); })
+      .and_then([&] { return check_lines_and_points(input); })
+      .and_then([&] { return check_indices(input.vertices); })
+      .and_then([&] { return check_distances(input); });
+}
+
+PreparedDraw prepare_draw(const DrawInput& input, const Options& options) {
   const RasterState& state = input.state;
   const WindowTransform transform(state.viewport, options.subpixel_bits,
                                   {.clips = state.depth_clip, .negative_one_to_one = state.negative_one_to_one});

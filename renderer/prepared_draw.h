@@ -100,6 +100,9 @@ struct PreparedDraw {
 
 // Refuses what the pipeline cannot draw: a state outside of Vulkan's limits, an index without a vertex, a topology of
 // patches or with adjacency.
-Result<PreparedDraw> prepare_draw(const DrawInput& input, const Options& options);
+Result<void> check_draw(const DrawInput& input, const Options& options);
+
+// Of a draw that was checked.
+PreparedDraw prepare_draw(const DrawInput& input, const Options& options);
 
 }  // namespace fillrule::renderer
