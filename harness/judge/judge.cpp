@@ -87,23 +87,23 @@ class CaseJudge {
     return has_reference() && &reference_->answers != &candidate_.answers;
   }
 
-  // Samples [begin, end) about which both oracles say the same: of one row, unless nothing lands there.
+  // Samples [begin, end) of one class for both oracles: of one row, unless nothing lands there.
   [[nodiscard]] size_t end_of_run(size_t begin, size_t row) const {
-    const std::vector<uint32_t>& sole = candidate_.answers.expectation.sole();
-    const std::vector<uint32_t>& other = has_reference() ? reference_->answers.expectation.sole() : sole;
-    const bool nothing = sole[begin] == exact::kNothing && other[begin] == exact::kNothing;
-    const size_t limit = nothing ? sole.size() : begin - begin % row + row;
-    size_t end = end_of_equal(sole, begin, limit);
-    if (&other != &sole) end = end_of_equal(other, begin, end);
+    const std::vector<uint32_t>& classes = candidate_.answers.expectation.classes();
+    const std::vector<uint32_t>& other = has_reference() ? reference_->answers.expectation.classes() : classes;
+    const bool nothing = classes[begin] == exact::kNothing && other[begin] == exact::kNothing;
+    const size_t limit = nothing ? classes.size() : begin - begin % row + row;
+    size_t end = end_of_equal(classes, begin, limit);
+    if (&other != &classes) end = end_of_equal(other, begin, end);
     return end;
   }
 
-  // Whether the run's outcome is certain for both parties, and the same.
+  // Whether it is certain for both parties what lands at the run, and the same.
   bool start_bulk(size_t begin, size_t end) {
-    const uint32_t sole = candidate_.answers.expectation.sole()[begin];
-    if (sole == exact::kSeveral || !candidate_.answers.rows.start(sole, begin, end)) return false;
-    return !reference_differs() || (reference_->answers.expectation.sole()[begin] == sole &&
-                                    reference_->answers.rows.start(sole, begin, end));
+    RowJudge& rows = candidate_.answers.rows;
+    if (!rows.start(begin, end)) return false;
+    return !reference_differs() ||
+           (reference_->answers.rows.start(begin, end) && reference_->answers.rows.top() == rows.top());
   }
 
   void judge_run(CaseVerdict& verdict, size_t begin, size_t end) {
@@ -112,15 +112,31 @@ class CaseJudge {
       judge_layers(verdict, begin, end);
       return;
     }
-    if (in_bulk && candidate_.answers.expectation.sole()[begin] != exact::kNothing) {
-      verdict.covered_samples += end - begin;
-    }
+    if (in_bulk && candidate_.answers.rows.top() != kNoOwner) verdict.covered_samples += end - begin;
     judge_planes(verdict, begin, end, in_bulk);
   }
 
-  // Samples at which several pieces may land, or one fail the depth test. Wherever it is certain which one is on top,
-  // neighbours of the same one are judged at once.
+  // Samples of one class at which several pieces may land, or one fail the depth test. Where the same is certain from
+  // one end to the other they are judged at once; else each half is, down to a few.
   void judge_layers(CaseVerdict& verdict, size_t begin, size_t end) {
+    constexpr size_t kFew = 4;
+    if (end - begin <= kFew || !candidate_.replay.may_tell_between(begin)) {
+      judge_few_layers(verdict, begin, end);
+      return;
+    }
+    const std::optional<Landed> top = certain_landing(begin, end);
+    if (top) {
+      judge_top(verdict, top, begin, end);
+      return;
+    }
+    const size_t middle = begin + (end - begin) / 2;
+    judge_layers(verdict, begin, middle);
+    judge_layers(verdict, middle, end);
+  }
+
+  // The same sample by sample. Wherever it is certain which piece is on top, neighbours of the same one are judged at
+  // once.
+  void judge_few_layers(CaseVerdict& verdict, size_t begin, size_t end) {
     std::optional<Landed> top;
     size_t first = begin;
     for (size_t index = begin; index < end; ++index) {
@@ -150,6 +166,15 @@ class CaseJudge {
     if (candidate_.replay.used_rules() || candidate_.judge.breaks_line_rule(index)) return std::nullopt;
     if (has_reference() && reference_->judge.breaks_line_rule(index)) return std::nullopt;
     return landed_of(possible);
+  }
+
+  // What lands at all samples [begin, end), of one class and row, if that is certain for every party, and the same.
+  std::optional<Landed> certain_landing(size_t begin, size_t end) {
+    Replay& replay = candidate_.replay;
+    if (!replay.is_same_between(begin, end - 1) || replay.used_rules()) return std::nullopt;
+    if (candidate_.judge.breaks_line_rule(begin, end)) return std::nullopt;
+    if (has_reference() && reference_->judge.breaks_line_rule(begin, end)) return std::nullopt;
+    return landed_of(replay.at(end - 1));
   }
 
   // Samples [begin, end) of one outcome, if it is certain (`in_bulk`): all planes at once where all values are right.

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -210,10 +212,12 @@ TEST(Judge, SameBitsAreNotAskedForWhereRoundingMayCullATriangle) {
     test_case.draws[0].state.cull_mode = cull_mode;
     const exact::Expectation expectation(test_case, 8);
     EXPECT_TRUE(expectation.pieces()[0].facing_in_doubt);
-    std::vector<exact::Entry> entries;
-    size_t sample = 0;
-    while (sample < expectation.sole().size() && expectation.sole()[sample] != exact::kSeveral) ++sample;
-    if (sample == expectation.sole().size()) return ~uint64_t{0};
+    const auto is_open = [&expectation](uint32_t number) {
+      return number != exact::kNothing && !expectation.sole(number);
+    };
+    const auto sample =
+        static_cast<size_t>(std::ranges::find_if(expectation.classes(), is_open) - expectation.classes().begin());
+    if (sample == expectation.classes().size()) return ~uint64_t{0};
     const Planes nothing = Planes::cleared(test_case.target.width, test_case.target.height, 1,
                                            component_count(test_case.varyings), test_case.target.clear_depth);
     Planes other = nothing;

@@ -110,7 +110,9 @@ class LineRules {
   void find_fragments() {
     std::vector<Entry> entries;
     for (size_t index = 0; index < planes_.hits.size(); ++index) {
-      if (expectation_.sole()[index] != exact::kSeveral) continue;
+      // Where one piece alone must cover, it is no line.
+      const uint32_t number = expectation_.classes()[index];
+      if (number == exact::kNothing || expectation_.sole(number)) continue;
       expectation_.collect(index, entries);
       for (const Entry& entry : entries) {
         const uint32_t line = line_of_piece_[entry.piece];

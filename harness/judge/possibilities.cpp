@@ -79,13 +79,13 @@ Replay::Replay(const Case& test_case, const exact::Expectation& expectation, Val
 const Possibilities& Replay::at(size_t index) {
   if (asked_ > 0 && index == index_) return possibilities_;
   index_ = index;
-  expectation_.collect(index, entries_);
+  find_class(index);
+  if (asked_ > 0 && class_.same_everywhere && class_.number == class_of_answer_) return possibilities_;
+  class_of_answer_ = class_.number;
+  entries_ = class_.entries;
   used_rules_ = false;
-  const bool same_everywhere =
-      std::ranges::all_of(entries_, [this](const Entry& entry) { return same_everywhere_of(entry); });
-  if (same_everywhere && has_last_ && entries_ == last_entries_) return possibilities_;
-  last_entries_ = entries_;
-  has_last_ = same_everywhere;
+  decided_by_relations_ = class_.by_depths;
+  relations_.clear();
   ++asked_;
   possibilities_.least_hits = 0;
   possibilities_.most_hits = 0;
@@ -112,12 +112,48 @@ const Possibilities& Replay::at(size_t index) {
   return possibilities_;
 }
 
+void Replay::find_class(size_t index) {
+  const uint32_t number = expectation_.classes()[index];
+  if (number == class_.number) return;
+  class_.number = number;
+  expectation_.collect(index, class_.entries);
+  const auto all = [this](bool (Replay::*is)(const Entry&) const) {
+    return std::ranges::all_of(class_.entries, [&](const Entry& entry) { return (this->*is)(entry); });
+  };
+  class_.same_everywhere = all(&Replay::same_everywhere_of);
+  // The samples of several pixels are on no line.
+  class_.by_depths = case_.target.samples == VK_SAMPLE_COUNT_1_BIT && all(&Replay::by_depths_of);
+}
+
 // Whether what the entry does is the same at all samples that have it and others of the kind: it has no depth that is
 // stored, or any at all, and no rule (resolve_ties(), watertight.h) decides by the place.
 bool Replay::same_everywhere_of(const Entry& entry) const {
   const Piece& piece = expectation_.pieces()[entry.piece];
   return piece.shape->undefined() ||
          (entry.coverage == Coverage::kMust && !depends_on_depth(case_.draws[piece.draw]));
+}
+
+// Whether depths that are compared and stored as they are interpolated decide about what the entry does, or nothing.
+bool Replay::by_depths_of(const Entry& entry) const {
+  const Piece& piece = expectation_.pieces()[entry.piece];
+  const RasterState& state = case_.draws[piece.draw].state;
+  if (entry.coverage != Coverage::kMust || piece.triangle() == nullptr || !has_values(piece)) return false;
+  return !state.depth_bounds && (!state.depth_test || has_plain_depth(state, case_.target.depth_format));
+}
+
+bool Replay::may_tell_between(size_t index) {
+  find_class(index);
+  return class_.same_everywhere || class_.by_depths;
+}
+
+bool Replay::is_same_between(size_t first, size_t last) {
+  at(first);
+  if (!class_.same_everywhere) {
+    if (!decided_by_relations_) return false;
+    relations_before_ = relations_;
+  }
+  at(last);
+  return class_.same_everywhere || (decided_by_relations_ && relations_ == relations_before_);
 }
 
 void Replay::replay(size_t begin, size_t end, double x, double y) {
@@ -127,7 +163,7 @@ void Replay::replay(size_t begin, size_t end, double x, double y) {
 // Where the rule says that exactly one of the entries in doubt covers the sample, each of them is tried in turn, and
 // where it says that none does, none is. Returns false where the rule says nothing of the kind.
 bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
-  const std::span<const Entry> entries(entries_.data() + begin, end - begin);
+  const std::span<const Entry> entries = entries_.subspan(begin, end - begin);
   const WatertightHits hits = watertight_hits(case_, expectation_, entries, x, y);
   if (hits.primitives == 0 || hits.hits > 1) return false;
   const Possibilities before = possibilities_;
@@ -154,14 +190,16 @@ bool Replay::replay_watertight(size_t begin, size_t end, double x, double y) {
 }
 
 void Replay::resolve_ties(double x, double y) {
-  for (Entry& entry : entries_) {
+  resolved_ = class_.entries;
+  for (Entry& entry : resolved_) {
     if (entry.coverage == Coverage::kMust || !resolved_on_grid(entry)) continue;
     used_rules_ = true;
     // Nothing is rounded, so the facing is certain too.
     const Piece& piece = expectation_.pieces()[entry.piece];
     entry.coverage = !piece.culled && piece.shape->owns(x, y) ? Coverage::kMust : Coverage::kMustNot;
   }
-  std::erase_if(entries_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
+  std::erase_if(resolved_, [](const Entry& entry) { return entry.coverage == Coverage::kMustNot; });
+  entries_ = resolved_;
 }
 
 bool Replay::resolved_on_grid(const Entry& entry) {
@@ -196,6 +234,8 @@ void Replay::land(const Entry& entry, bool must, double x, double y) {
     return after;
   };
   const std::optional<bool> passes = passes_everywhere(layer, x, y);
+  relations_.push_back(layer.to_stored);
+  decided_by_relations_ = decided_by_relations_ && passes;
   if (passes && !*passes) return;
   std::vector<Outcome>& outcomes = possibilities_.outcomes;
   if (passes && (writes || outcomes.size() == 1)) {
@@ -275,10 +315,16 @@ std::optional<bool> Replay::passes_everywhere(Layer& layer, double x, double y) 
 }
 
 // The same, if both depths tell.
-std::optional<bool> Replay::passes_all_stored(const Layer& layer) const {
+std::optional<bool> Replay::passes_all_stored(Layer& layer) const {
   const VkCompareOp op = layer.state.depth_compare;
-  if (layer.depth.high < stored_->low) return (op & VK_COMPARE_OP_LESS) != 0;
-  if (layer.depth.low > stored_->high) return (op & VK_COMPARE_OP_GREATER) != 0;
+  if (layer.depth.high < stored_->low) {
+    layer.to_stored = Relation::kLess;
+    return (op & VK_COMPARE_OP_LESS) != 0;
+  }
+  if (layer.depth.low > stored_->high) {
+    layer.to_stored = Relation::kGreater;
+    return (op & VK_COMPARE_OP_GREATER) != 0;
+  }
   return std::nullopt;
 }
 

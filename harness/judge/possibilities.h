@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "cases/model/case.h"
@@ -81,8 +82,19 @@ class Replay {
   // Whether the rules above decided about the sample asked for last; if not, they make no difference there.
   [[nodiscard]] bool used_rules() const { return used_rules_; }
 
+  // Whether what is possible is the same at all samples from the first to the last, which are of one class
+  // (Expectation::classes()) and row; at() is then asked for the last one. Only the ends are looked at: either
+  // nothing depends on the place, or depths alone do. A depth, its tolerance added, is a convex function of the
+  // place, and a concave one where it is taken away. So of two depths one is the less from end to end if it is at
+  // both.
+  bool is_same_between(size_t first, size_t last);
+  // False where that cannot be told of any two samples of this one's class.
+  [[nodiscard]] bool may_tell_between(size_t index);
+
  private:
   enum class DepthResult : uint8_t { kFails, kPasses, kEither };
+  // Of a piece's depth to what is stored, whatever that is.
+  enum class Relation : uint8_t { kNotAsked, kLess, kGreater };
   // The piece that is being drawn over what is there.
   struct Layer {
     uint32_t number = 0;
@@ -90,6 +102,7 @@ class Replay {
     const RasterState& state;
     bool is_inside = false;     // it must cover the sample
     exact::DepthRange depth{};  // that it may have, once it is tested
+    Relation to_stored = Relation::kNotAsked;
   };
   // What a piece may store, at the sample of this number.
   struct SampleDepth {
@@ -97,14 +110,16 @@ class Replay {
     exact::DepthRange range;
   };
 
+  void find_class(size_t index);
   [[nodiscard]] bool same_everywhere_of(const exact::Entry& entry) const;
+  [[nodiscard]] bool by_depths_of(const exact::Entry& entry) const;
   void resolve_ties(double x, double y);
   // What the entries [begin, end) of the sample do to the outcomes so far.
   void replay(size_t begin, size_t end, double x, double y);
   bool replay_watertight(size_t begin, size_t end, double x, double y);
   void land(const exact::Entry& entry, bool must, double x, double y);
   [[nodiscard]] std::optional<bool> passes_everywhere(Layer& layer, double x, double y);
-  [[nodiscard]] std::optional<bool> passes_all_stored(const Layer& layer) const;
+  [[nodiscard]] std::optional<bool> passes_all_stored(Layer& layer) const;
   void find_stored(double x, double y);
   void store(const Layer& layer, bool must);
   // Whether the stored piece is another part of the layer's outline: of two of them either may be drawn first.
@@ -128,16 +143,28 @@ class Replay {
   std::vector<SampleDepth> depths_;  // for each piece
   uint64_t asked_ = 0;               // samples replayed so far
   size_t index_ = 0;                 // the last of them
-  std::vector<exact::Entry> entries_;
+  // Of the class of samples that was asked about last.
+  struct Class {
+    uint32_t number = exact::kNothing;
+    std::vector<exact::Entry> entries;
+    bool same_everywhere = true;  // nothing depends on the place
+    bool by_depths = true;        // ... but comparisons of depths
+  };
+  Class class_;
+  uint32_t class_of_answer_ = exact::kNothing;
+  std::vector<exact::Entry> resolved_;     // by the rules
+  std::span<const exact::Entry> entries_;  // of the sample
   std::vector<Outcome> before_;
   std::optional<exact::DepthRange> stored_;  // in any of the outcomes so far, if it was asked for
   bool stored_is_rough_ = false;             // ... and is wider than need be (depth_range_inside())
   std::vector<size_t> landed_;               // the outcomes in which the piece being drawn landed
   Possibilities possibilities_;
   bool used_rules_ = false;
-  // What was asked for last, and whether the answer holds wherever the entries are the same.
-  std::vector<exact::Entry> last_entries_;
-  bool has_last_ = false;
+  // Whether relations of depths decided about all entries of the sample, and which it was for each entry:
+  // VkCompareOp's unequal passes with either, and what is less at one end and greater at the other is equal between.
+  bool decided_by_relations_ = false;
+  std::vector<Relation> relations_;
+  std::vector<Relation> relations_before_;
 };
 
 }  // namespace fillrule::judge

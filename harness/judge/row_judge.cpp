@@ -5,6 +5,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "harness/judge/stored_depth.h"
+
 namespace fillrule::judge {
 namespace {
 
@@ -45,11 +47,6 @@ bool passes_throughout(VkCompareOp op, double low, double high, double stored) {
   }
 }
 
-// Stored as it is interpolated, in [0, 1].
-bool has_plain_depth(const RasterState& state, VkFormat format) {
-  return format == VK_FORMAT_D32_SFLOAT && state.depth_clip && !state.depth_clamp && !state.depth_bias;
-}
-
 }  // namespace
 
 RowJudge::Landing RowJudge::landing_of(uint32_t number) {
@@ -73,16 +70,21 @@ RowJudge::Landing RowJudge::landing_of(uint32_t number) {
   return landing;
 }
 
-bool RowJudge::start(uint32_t sole, size_t begin, size_t end) {
-  const bool nothing = sole == exact::kNothing;
-  if (!nothing && landing_of(sole) != Landing::kCertain) return false;
-  begin_run(sole, nothing ? 0 : 1, begin, end);
+bool RowJudge::start(size_t begin, size_t end) {
+  const uint32_t number = expectation_.classes()[begin];
+  if (number == exact::kNothing) {
+    begin_run(kNoOwner, 0, begin, end);
+    return true;
+  }
+  const std::optional<uint32_t> sole = expectation_.sole(number);
+  if (!sole || landing_of(*sole) != Landing::kCertain) return false;
+  begin_run(*sole, 1, begin, end);
   return true;
 }
 
 bool RowJudge::start_top(const Landed& landed, size_t begin, size_t end) {
   if (landed.piece == kNoOwner) {
-    begin_run(exact::kNothing, 0, begin, end);
+    begin_run(kNoOwner, 0, begin, end);
     return true;
   }
   const exact::Piece& piece = expectation_.pieces()[landed.piece];
@@ -95,7 +97,7 @@ bool RowJudge::start_top(const Landed& landed, size_t begin, size_t end) {
 }
 
 void RowJudge::begin_run(uint32_t top, uint32_t hits, size_t begin, size_t end) {
-  if (top != exact::kNothing) {
+  if (top != kNoOwner) {
     const exact::Position position = exact::sample_place(case_.target, begin).position;
     x_ = position.x;
     y_ = position.y;
@@ -108,7 +110,7 @@ void RowJudge::begin_run(uint32_t top, uint32_t hits, size_t begin, size_t end) 
 }
 
 bool RowJudge::integers_right(const Planes& planes) const {
-  const bool nothing = top_ == exact::kNothing;
+  const bool nothing = top_ == kNoOwner;
   const uint32_t owner = nothing ? kNoOwner : expectation_.pieces()[top_].owner;
   const uint32_t front_facing = !nothing && expectation_.pieces()[top_].front_facing ? 1 : 0;
   uint32_t difference = 0;
@@ -123,7 +125,7 @@ bool RowJudge::expect(PlaneKind kind, uint32_t component) {
   component_ = component;
   constant_.reset();
   if (kind == PlaneKind::kDepth) return expect_depth();
-  return top_ == exact::kNothing ? expect_constant(0) : expect_varying(component);
+  return top_ == kNoOwner ? expect_constant(0) : expect_varying(component);
 }
 
 // Room for the run's samples. Never made smaller: a vector clears whatever is added to it again.
@@ -138,8 +140,7 @@ bool RowJudge::expect_constant(float value) {
 }
 
 bool RowJudge::expect_depth() {
-  const RasterState* const state =
-      top_ == exact::kNothing ? nullptr : &case_.draws[expectation_.pieces()[top_].draw].state;
+  const RasterState* const state = top_ == kNoOwner ? nullptr : &case_.draws[expectation_.pieces()[top_].draw].state;
   if (state == nullptr || !state->depth_test || !state->depth_write) {
     return expect_constant(exact::nearest_depth(case_.target.depth_format, double{case_.target.clear_depth}));
   }

@@ -23,13 +23,16 @@ class RowJudge {
         values_(values),
         sources_(component_sources(test_case.varyings)) {}
 
-  // Prepares for samples [begin, end); `sole` as Expectation::sole() has it, not kSeveral. They are of one row,
-  // unless nothing lands there. False if the outcome is not certain after all: a depth test that may fail, or a
-  // primitive whose values are undefined ground.
-  bool start(uint32_t sole, size_t begin, size_t end);
+  // Prepares for samples [begin, end) of one class (Expectation::classes()), and of one row, unless nothing lands
+  // there. False if it is not certain that one piece lands, or none: of several, one may fail a depth test, or have
+  // values that are undefined ground.
+  bool start(size_t begin, size_t end);
   // Prepares for samples [begin, end) of one row where it is certain what is on top, whatever is below. False if that
   // is no piece whose values can be told in rows.
   bool start_top(const Landed& landed, size_t begin, size_t end);
+
+  // The piece on top; kNoOwner if nothing lands.
+  [[nodiscard]] uint32_t top() const { return top_; }
 
   // Whether a party's hits, owner and facing are what they have to be, at every sample.
   [[nodiscard]] bool integers_right(const Planes& planes) const;
@@ -63,7 +66,7 @@ class RowJudge {
   ValueCache& values_;
   std::vector<ComponentSource> sources_;
   std::vector<Landing> landing_;  // for each primitive, once asked
-  uint32_t top_ = 0;              // the piece on top, or kNothing
+  uint32_t top_ = kNoOwner;
   uint32_t hits_ = 0;
   size_t begin_ = 0;
   size_t size_ = 0;

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "harness/judge/judge.h"
+#include "harness/judge/possibilities.h"
 #include "harness/programs/varyings.h"
 
 namespace fillrule::judge {
@@ -139,6 +140,40 @@ TEST(Runs, AreJudgedAsTheirSamplesAre) {
     faults += in_runs.candidate_faults();
   }
   EXPECT_GT(faults, 500U);
+}
+
+TEST(Runs, WhatIsTheSameAtBothEndsIsTheSameBetween) {
+  size_t same = 0;
+  size_t not_same = 0;
+  for (uint32_t seed = 0; seed < 300; ++seed) {
+    SCOPED_TRACE(seed);
+    Random random(seed);
+    const Case test_case = layers(random);
+    const exact::Expectation expectation(test_case, 8);
+    ValueCache values(test_case, expectation);
+    Replay replay(test_case, expectation, values, 8, {});
+    const std::vector<uint32_t>& classes = expectation.classes();
+    const size_t row = size_t{kSize} * static_cast<size_t>(test_case.target.samples);
+    for (size_t begin = 0, end = 0; begin < classes.size(); begin = end) {
+      const size_t end_of_row = begin - begin % row + row;
+      for (end = begin + 1; end < end_of_row && classes[end] == classes[begin];) ++end;
+      if (end - begin < 3 || !replay.may_tell_between(begin)) continue;
+      if (!replay.is_same_between(begin, end - 1)) {
+        ++not_same;
+        continue;
+      }
+      ++same;
+      const Possibilities expected = replay.at(end - 1);
+      for (size_t index = begin; index < end; ++index) {
+        const Possibilities& found = replay.at(index);
+        EXPECT_EQ(found.outcomes, expected.outcomes) << index;
+        EXPECT_EQ(found.least_hits, expected.least_hits) << index;
+        EXPECT_EQ(found.most_hits, expected.most_hits) << index;
+      }
+    }
+  }
+  EXPECT_GT(same, 1000U);
+  EXPECT_GT(not_same, 100U);
 }
 
 }  // namespace

@@ -48,4 +48,8 @@ exact::DepthRange range_in(VkFormat format, const RasterState& state, const exac
   return exact::stored(format, range, false);
 }
 
+bool has_plain_depth(const RasterState& state, VkFormat format) {
+  return format == VK_FORMAT_D32_SFLOAT && state.depth_clip && !state.depth_clamp && !state.depth_bias;
+}
+
 }  // namespace fillrule::judge

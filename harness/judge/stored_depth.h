@@ -21,4 +21,7 @@ exact::Expected expected_in(VkFormat format, const RasterState& state, const exa
 // All that may be stored.
 exact::DepthRange range_in(VkFormat format, const RasterState& state, const exact::Expected& depth);
 
+// Whether depths are stored as they are interpolated, clamped to [0, 1] at most.
+bool has_plain_depth(const RasterState& state, VkFormat format);
+
 }  // namespace fillrule::judge

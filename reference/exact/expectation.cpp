@@ -90,7 +90,8 @@ Expectation::Expectation(const Case& test_case, uint32_t subpixel_bits, std::spa
 
 void Expectation::add_all(const Case& test_case, uint32_t subpixel_bits) {
   const size_t samples = sample_locations(test_case.target.samples).size();
-  sole_.assign(size_t{test_case.target.width} * test_case.target.height * samples, kNothing);
+  classes_.assign(size_t{test_case.target.width} * test_case.target.height * samples, kNothing);
+  made_of_.assign(1, {});
   uint32_t first_primitive = 0;
   for (uint32_t draw = 0; draw < test_case.draws.size(); ++draw) {
     add_draw(test_case, draw, first_primitive, subpixel_bits);
@@ -246,49 +247,39 @@ void Expectation::classify_samples(const Case& test_case, const Piece& piece, co
 }
 
 void Expectation::append(const Classified& classified, uint32_t number) {
-  const std::span<uint32_t> sole(sole_.data() + classified.begin, sole_.data() + classified.end);
-  const bool is_first = std::ranges::all_of(sole, [](uint32_t piece) { return piece == kNothing; });
-  if (is_first && classified.classification.coverage == Coverage::kMust) {
-    std::ranges::fill(sole, number);
-    return;
-  }
-  for (size_t sample = classified.begin; sample < classified.end; ++sample) {
-    append(sample, classified.classification, number);
+  const auto& [coverage, doubt] = classified.classification;
+  const Entry entry{.piece = number, .coverage = coverage, .doubt = doubt};
+  for (size_t begin = classified.begin, end = begin; begin < classified.end; begin = end) {
+    const uint32_t before = classes_[begin];
+    while (end < classified.end && classes_[end] == before) ++end;
+    std::fill(classes_.begin() + static_cast<ptrdiff_t>(begin), classes_.begin() + static_cast<ptrdiff_t>(end),
+              class_after(before, entry));
   }
 }
 
-void Expectation::append(size_t sample, const Classification& classification, uint32_t number) {
-  uint32_t& sole = sole_[sample];
-  if (sole == kNothing && classification.coverage == Coverage::kMust) {
-    sole = number;
-    return;
+// Other samples may have come from the same class to the same one. Those nearby have been there just before.
+uint32_t Expectation::class_after(uint32_t before, const Entry& entry) {
+  constexpr size_t kFew = 8;
+  const auto size = static_cast<uint32_t>(made_of_.size());
+  for (uint32_t i = size; i-- > 1 && size - i <= kFew && made_of_[i].last.piece == entry.piece;) {
+    if (made_of_[i].before == before && made_of_[i].last == entry) return i;
   }
-  if (sole != kSeveral) {
-    if (lists_.empty()) lists_.resize(sole_.size());
-    lists_[sample] = {.first = kNothing, .last = kNothing};
-    if (sole != kNothing) append_node(sample, {.piece = sole, .coverage = Coverage::kMust});
-    sole = kSeveral;
-  }
-  append_node(sample, {.piece = number, .coverage = classification.coverage, .doubt = classification.doubt});
+  made_of_.push_back({.before = before, .last = entry});
+  return size;
 }
 
-void Expectation::append_node(size_t sample, const Entry& entry) {
-  const auto index = static_cast<uint32_t>(nodes_.size());
-  nodes_.push_back({.entry = entry, .next = kNothing});
-  SampleList& list = lists_[sample];
-  (list.last == kNothing ? list.first : nodes_[list.last].next) = index;
-  list.last = index;
+std::optional<uint32_t> Expectation::sole(uint32_t number) const {
+  const Class& made_of = made_of_[number];
+  const bool is_sole = number != kNothing && made_of.before == kNothing && made_of.last.coverage == Coverage::kMust;
+  return is_sole ? std::optional(made_of.last.piece) : std::nullopt;
 }
 
 void Expectation::collect(size_t sample, std::vector<Entry>& entries) const {
   entries.clear();
-  const uint32_t sole = sole_[sample];
-  if (sole == kNothing) return;
-  if (sole != kSeveral) {
-    entries.push_back({.piece = sole, .coverage = Coverage::kMust});
-    return;
+  for (uint32_t number = classes_[sample]; number != kNothing; number = made_of_[number].before) {
+    entries.push_back(made_of_[number].last);
   }
-  for (uint32_t i = lists_[sample].first; i != kNothing; i = nodes_[i].next) entries.push_back(nodes_[i].entry);
+  std::ranges::reverse(entries);
 }
 
 Triangle triangle_of(const Draw& draw, const std::array<uint32_t, 3>& vertices) {

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -48,9 +49,8 @@ struct Entry {
   bool operator==(const Entry&) const = default;
 };
 
-// What Expectation::sole() says where nothing can land, and where there is more to say than one number.
-inline constexpr uint32_t kNothing = 0xFFFFFFFFU;
-inline constexpr uint32_t kSeveral = 0xFFFFFFFEU;
+// The class of samples at which nothing can land.
+inline constexpr uint32_t kNothing = 0;
 
 class Expectation {
  public:
@@ -61,27 +61,27 @@ class Expectation {
   // In the order in which they are drawn.
   [[nodiscard]] const std::vector<Piece>& pieces() const { return pieces_; }
 
-  // For each sample the number of the piece that must cover it while no other one may, kNothing or kSeveral.
-  [[nodiscard]] const std::vector<uint32_t>& sole() const { return sole_; }
+  // For each sample the number of its class: all samples of a class have the same entries. Neighbours with the same
+  // entries are of one class, with few exceptions.
+  [[nodiscard]] const std::vector<uint32_t>& classes() const { return classes_; }
+
+  // The number of the piece that must cover the samples of a class while no other one may, if it is like that.
+  [[nodiscard]] std::optional<uint32_t> sole(uint32_t number) const;
 
   // All entries of a sample, in submission order.
   void collect(size_t sample, std::vector<Entry>& entries) const;
 
  private:
-  // The entries of samples with several, as a list for each sample.
-  struct Node {
-    Entry entry;
-    uint32_t next = 0;
+  // What makes a class: the entries of another one, and this one after them. kNothing has none.
+  struct Class {
+    uint32_t before = kNothing;
+    Entry last;
   };
   // Samples [begin, end) that are classified alike.
   struct Classified {
     size_t begin = 0;
     size_t end = 0;
     Classification classification;
-  };
-  struct SampleList {
-    uint32_t first = 0;
-    uint32_t last = 0;
   };
   void add_all(const Case& test_case, uint32_t subpixel_bits);
   void add_draw(const Case& test_case, uint32_t draw, uint32_t first_primitive, uint32_t subpixel_bits);
@@ -96,14 +96,12 @@ class Expectation {
   void classify_samples(const Case& test_case, const Piece& piece, const VkRect2D& block, DoubtBits undecided,
                         const Visit& visit) const;
   void append(const Classified& classified, uint32_t number);
-  void append(size_t sample, const Classification& classification, uint32_t number);
-  void append_node(size_t sample, const Entry& entry);
+  [[nodiscard]] uint32_t class_after(uint32_t before, const Entry& entry);
 
   std::vector<VkOffset2D> some_pixels_;  // that are asked about alone; empty: all
   std::vector<Piece> pieces_;
-  std::vector<uint32_t> sole_;
-  std::vector<Node> nodes_;
-  std::vector<SampleList> lists_;  // empty until a sample has several entries
+  std::vector<uint32_t> classes_;
+  std::vector<Class> made_of_;  // for each class
 };
 
 // A polygon with everything that it is clipped to.

@@ -48,9 +48,43 @@ TEST(Expectation, ASampleOnTheDiagonalIsInDoubtForBoth) {
   // The diagonal x + y = 16 runs through the sample (7.5, 8.5).
   ASSERT_EQ(primitives_at(expectation, 7, 8), (std::vector<uint32_t>{0, 1}));
   EXPECT_EQ(entries_at(expectation, 7, 8)[0].coverage, Coverage::kMay);
-  EXPECT_EQ(expectation.sole()[8 * 16 + 7], kSeveral);
-  EXPECT_EQ(expectation.sole()[3 * 16 + 3], 0U);
-  EXPECT_EQ(expectation.sole()[0], kNothing);
+}
+
+TEST(Expectation, SamplesOfAClassHaveTheSameEntries) {
+  Case twice = square();
+  twice.draws.push_back(twice.draws.front());
+  const Expectation expectation(twice, 8);
+  const std::vector<uint32_t>& classes = expectation.classes();
+  const auto at = [&](size_t x, size_t y) { return classes[y * 16 + x]; };
+  EXPECT_EQ(at(0, 0), kNothing);
+  EXPECT_EQ(at(3, 3), at(4, 5));
+  EXPECT_NE(at(3, 3), at(13, 13));
+  // The diagonal x + y = 16 runs through the samples (7.5, 8.5) and (8.5, 7.5).
+  EXPECT_EQ(at(7, 8), at(8, 7));
+  EXPECT_NE(at(7, 8), at(3, 3));
+  std::vector<Entry> first;
+  std::vector<Entry> other;
+  for (size_t a = 0; a < classes.size(); ++a) {
+    expectation.collect(a, first);
+    EXPECT_EQ(first.empty(), classes[a] == kNothing);
+    for (size_t b = 0; b < a; ++b) {
+      if (classes[a] != classes[b]) continue;
+      expectation.collect(b, other);
+      EXPECT_EQ(first, other) << a << " and " << b;
+    }
+  }
+}
+
+TEST(Expectation, TellsWhichPieceCoversAlone) {
+  const Expectation once(square(), 8);
+  EXPECT_EQ(once.sole(once.classes()[3 * 16 + 3]), 0U);
+  EXPECT_EQ(once.sole(once.classes()[13 * 16 + 13]), 1U);
+  EXPECT_EQ(once.sole(kNothing), std::nullopt);
+  EXPECT_EQ(once.sole(once.classes()[8 * 16 + 7]), std::nullopt) << "on the diagonal";
+  Case twice = square();
+  twice.draws.push_back(twice.draws.front());
+  const Expectation over_itself(twice, 8);
+  EXPECT_EQ(over_itself.sole(over_itself.classes()[3 * 16 + 3]), std::nullopt);
 }
 
 TEST(Expectation, CullingAndFacing) {
@@ -120,7 +154,7 @@ TEST(Expectation, OfSomeSamplesIsTheSameThere) {
     // Those that may be covered, which tell least, and a few others.
     std::vector<size_t> samples;
     std::vector<Entry> entries;
-    for (size_t sample = 0; sample < all.sole().size(); ++sample) {
+    for (size_t sample = 0; sample < all.classes().size(); ++sample) {
       open.collect(sample, entries);
       const bool is_open = !entries.empty() && std::ranges::all_of(entries, [](const Entry& entry) {
         return entry.coverage == Coverage::kMay;
