@@ -1,12 +1,14 @@
 #include "reference/exact/expectation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <span>
 
 #include "reference/exact/assembly.h"
 #include "reference/exact/clip_edges.h"
 #include "reference/exact/outline.h"
+#include "reference/exact/triangle_rows.h"
 #include "reference/exact/value_bound.h"
 
 namespace fillrule::exact {
@@ -16,6 +18,9 @@ namespace {
 // that only those near a boundary are asked one by one, and about the boundaries that are near alone.
 constexpr int32_t kBlockSize = 64;
 constexpr uint32_t kLeastBlockSize = 2;  // of one sample a pixel; of several, 1
+// Triangles of more pixels than this, in either direction, are classified in rows instead (triangle_rows.h): for
+// smaller ones blocks are done sooner than rows are set up.
+constexpr uint32_t kMostPixelsForBlocks = 4;
 
 bool culled(const RasterState& state, bool front_facing) {
   return (state.cull_mode & (front_facing ? VK_CULL_MODE_FRONT_BIT : VK_CULL_MODE_BACK_BIT)) != 0;
@@ -179,12 +184,79 @@ void Expectation::classify_pixels(const Case& test_case, const Piece& piece, con
     }
     return;
   }
+  if (piece.triangle() != nullptr && std::max(pixels.extent.width, pixels.extent.height) > kMostPixelsForBlocks) {
+    const bool centres = test_case.target.samples == VK_SAMPLE_COUNT_1_BIT;
+    const BlockClassification whole =
+        piece.shape->classify_block(block_of(pixels, centres), piece.latitude, kEveryBoundary);
+    if (whole.coverage == Coverage::kMustNot) return;
+    const DoubtBits undecided = whole.coverage == Coverage::kMust ? 0 : whole.undecided;
+    if ((undecided & ~TriangleRows::kBoundaries) == 0) {
+      classify_rows(test_case, piece, pixels, undecided, visit);
+      return;
+    }
+  }
   for (int32_t y = pixels.offset.y; y < bottom; y += kBlockSize) {
     for (int32_t x = pixels.offset.x; x < right; x += kBlockSize) {
       const VkRect2D block{.offset = {.x = x, .y = y},
                            .extent = {.width = static_cast<uint32_t>(std::min(kBlockSize, right - x)),
                                       .height = static_cast<uint32_t>(std::min(kBlockSize, bottom - y))}};
       classify_block(test_case, piece, block, kEveryBoundary, visit);
+    }
+  }
+}
+
+// Of a triangle all samples of these pixels.
+template <typename Visit>
+void Expectation::classify_rows(const Case& test_case, const Piece& piece, const VkRect2D& pixels,
+                                DoubtBits undecided, const Visit& visit) const {
+  const std::span<const Position> locations = sample_locations(test_case.target.samples);
+  const uint32_t sample_mask = test_case.draws[piece.draw].state.sample_mask;
+  const uint32_t all_samples = (1U << locations.size()) - 1;
+  const auto opened = [&piece](const Classification& classification) {
+    return piece.open ? Classification{.coverage = Coverage::kMay, .doubt = kDoubtShape} : classification;
+  };
+  const uint32_t width = pixels.extent.width;
+  const TriangleRows triangle_rows(*piece.triangle(), piece.latitude, block_of(pixels, locations.size() == 1),
+                                   undecided);
+  std::array<RowCoverage, kMaxSamples> rows{};  // of the samples of each number
+  for (uint32_t row = 0; row < pixels.extent.height; ++row) {
+    const auto y = static_cast<uint32_t>(pixels.offset.y) + row;
+    const auto x = static_cast<uint32_t>(pixels.offset.x);
+    const size_t first = (size_t{y} * test_case.target.width + x) * locations.size();
+    // The pixels of which any sample may be covered, and of which all must be.
+    RowCoverage whole{.may_begin = width, .must_end = width};
+    for (size_t sample = 0; sample < locations.size(); ++sample) {
+      const Position& location = locations[sample];
+      rows[sample] = triangle_rows.at(x + location.x, y + location.y, width);
+      if (rows[sample].may_begin < rows[sample].may_end) {
+        whole.may_begin = std::min(whole.may_begin, rows[sample].may_begin);
+        whole.may_end = std::max(whole.may_end, rows[sample].may_end);
+      }
+      whole.must_begin = std::max(whole.must_begin, rows[sample].must_begin);
+      whole.must_end = std::min(whole.must_end, rows[sample].must_end);
+    }
+    const bool at_once = whole.must_begin < whole.must_end && (sample_mask & all_samples) == all_samples;
+    for (uint32_t column = whole.may_begin; column < whole.may_end; ++column) {
+      if (at_once && column == whole.must_begin) {
+        visit({.begin = first + whole.must_begin * locations.size(),
+               .end = first + whole.must_end * locations.size(),
+               .classification = opened({.coverage = Coverage::kMust})});
+        column = whole.must_end;
+        if (column == whole.may_end) break;
+      }
+      for (size_t sample = 0; sample < locations.size(); ++sample) {
+        const RowCoverage& of_sample = rows[sample];
+        if ((sample_mask >> sample & 1U) == 0 || column < of_sample.may_begin || column >= of_sample.may_end)
+          continue;
+        Classification classification{.coverage = Coverage::kMust};
+        if (column < of_sample.must_begin || column >= of_sample.must_end) {
+          const Position& location = locations[sample];
+          classification = piece.shape->classify(x + column + location.x, y + location.y, piece.latitude, undecided);
+          if (classification.coverage == Coverage::kMustNot) continue;
+        }
+        const size_t index = first + column * locations.size() + sample;
+        visit({.begin = index, .end = index + 1, .classification = opened(classification)});
+      }
     }
   }
 }

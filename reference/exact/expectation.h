@@ -90,6 +90,9 @@ class Expectation {
   template <typename Visit>
   void classify_pixels(const Case& test_case, const Piece& piece, const VkRect2D& pixels, const Visit& visit) const;
   template <typename Visit>
+  void classify_rows(const Case& test_case, const Piece& piece, const VkRect2D& pixels, DoubtBits undecided,
+                     const Visit& visit) const;
+  template <typename Visit>
   void classify_block(const Case& test_case, const Piece& piece, const VkRect2D& block, DoubtBits undecided,
                       const Visit& visit) const;
   template <typename Visit>

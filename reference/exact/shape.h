@@ -2,7 +2,9 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "reference/exact/latitude.h"
@@ -11,6 +13,14 @@
 namespace fillrule::exact {
 
 enum class Coverage : uint8_t { kMustNot, kMay, kMust };
+
+// How a distance inside of a boundary, known but for `slack`, compares with what rounding reaches, if it can be told.
+inline std::optional<Coverage> decided(double inside, double reach, double slack) {
+  if (inside > reach + slack) return Coverage::kMust;
+  if (inside < -reach - slack) return Coverage::kMustNot;
+  if (std::abs(inside) <= reach - slack) return Coverage::kMay;
+  return std::nullopt;
+}
 
 // Which boundaries of a piece leave a sample in doubt. Bits 0 to 2 of a triangle: the edge opposite of vertex 0,
 // 1, 2.

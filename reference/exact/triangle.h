@@ -83,6 +83,10 @@ class Triangle final : public Shape {
   // The edge opposite of vertex i, positive inside.
   [[nodiscard]] const LinearForm& edge(size_t i) const { return edges_[i]; }
 
+  // The near and the far plane, positive inside; null where the triangle has nothing to be clipped to it.
+  [[nodiscard]] const LinearForm* near_plane() const { return needs_near_ ? &near_ : nullptr; }
+  [[nodiscard]] const LinearForm* far_plane() const { return needs_far_ ? &far_ : nullptr; }
+
   // The corners of what clipping leaves of the triangle inside the viewport, grown by the latitude; framebuffer
   // coordinates. Empty where nothing is left.
   [[nodiscard]] std::vector<Position> visible_part(const Latitude& latitude) const;

@@ -14,14 +14,6 @@ double offset(double position, double centre) {
   return position - centre;
 }
 
-// How a distance inside of a boundary, known but for `slack`, compares with what rounding reaches, if it can be told.
-std::optional<Coverage> decided(double inside, double reach, double slack) {
-  if (inside > reach + slack) return Coverage::kMust;
-  if (inside < -reach - slack) return Coverage::kMustNot;
-  if (std::abs(inside) <= reach - slack) return Coverage::kMay;
-  return std::nullopt;
-}
-
 // The part of a convex polygon where the form, plus `reach`, is not negative.
 std::vector<Position> clipped(const std::vector<Position>& polygon, const LinearForm& form, double reach) {
   std::vector<Position> result;
