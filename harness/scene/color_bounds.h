@@ -62,7 +62,7 @@ ColorBounds color_bounds(const programs::DrawShading& shading, const SurfaceRang
                          const SamplerPrecision& precision);
 
 // The colour in the middle of the range, its errors left aside: much cheaper, and any that is within kLeastRounding
-// of it in each channel is within color_bounds(). Not for mipmapped textures.
+// of it in each channel is within color_bounds().
 std::array<double, 3> exact_color(const programs::DrawShading& shading, const SurfaceRange& range);
 // color_bounds() leaves at least kRounding on either side of whatever the range allows, the exact colour among it.
 // Both functions round some fifty times in double, numbers of the colour's size: far less than 2^-20 of that.

@@ -99,7 +99,7 @@ class AllowedColors {
     if (entry == entries_.end()) return;
     const exact::Piece& piece = expectation_.pieces()[entry->piece];
     const programs::DrawShading& shading = shading_[piece.draw];
-    if (!is_defined(piece) || shading.uniforms.mipmapped != 0) return;
+    if (!is_defined(piece)) return;
     if (find_range(Tolerances::kLeast, entry->piece, piece, x, y)) exact_ = exact_color(shading, range_);
   }
 

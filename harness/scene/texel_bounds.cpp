@@ -186,15 +186,36 @@ Interval level_of_detail(const Texture& texture, const SurfaceRange& range) {
   return {level(step.low, -0x1p-21), level(step.high, 0x1p-21)};
 }
 
+// The same where nothing is off.
+double exact_level_of_detail(const Texture& texture, const SurfaceRange& range) {
+  const glm::dvec2 size(texture.levels[0].width, texture.levels[0].height);
+  const double texels = std::max(glm::length(range.uv_step[0] * size), glm::length(range.uv_step[1] * size));
+  const auto last = static_cast<double>(texture.levels.size() - 1);
+  return texels > 0 ? std::clamp(std::log2(texels), 0.0, last) : 0.0;
+}
+
 }  // namespace
 
 std::array<double, 3> exact_texel(const Texture& texture, const SurfaceRange& range) {
-  const TextureLevel& level = texture.levels[0];
   const Sampling2D& sampling = texture.sampling;
-  const glm::dvec2 place = range.uv * glm::dvec2(level.width, level.height);
   const auto stop = sampling.filter == VK_FILTER_NEAREST ? at_texel : between_texels;
-  return LevelTexels(level, sampling)
-      .at(stop(place.x, level.width, sampling.wrap_u), stop(place.y, level.height, sampling.wrap_v));
+  const auto of_level = [&](double number) {
+    const TextureLevel& level = texture.levels[static_cast<size_t>(number)];
+    const glm::dvec2 place = range.uv * glm::dvec2(level.width, level.height);
+    return LevelTexels(level, sampling)
+        .at(stop(place.x, level.width, sampling.wrap_u), stop(place.y, level.height, sampling.wrap_v));
+  };
+  if (sampling.mipmaps == Mipmaps::kNone) return of_level(0);
+  const double lod = exact_level_of_detail(texture, range);
+  // "Image Level(s) Selection"; of two as near as each other either is right.
+  if (sampling.mipmaps == Mipmaps::kNearest) return of_level(std::max(std::ceil(lod + 0.5) - 1, 0.0));
+  const double fine = std::floor(lod);
+  const double weight = lod - fine;
+  std::array<double, 3> color = of_level(fine);
+  if (weight == 0) return color;
+  const std::array<double, 3> coarse = of_level(fine + 1);
+  for (size_t c = 0; c < color.size(); ++c) color[c] = color[c] * (1 - weight) + coarse[c] * weight;
+  return color;
 }
 
 ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, const SamplerPrecision& precision) {

@@ -7,7 +7,7 @@ namespace fillrule::scene {
 
 ColorBounds texel_bounds(const Texture& texture, const SurfaceRange& range, const SamplerPrecision& precision);
 
-// In the middle of the range, of level 0.
+// In the middle of the range, its errors left aside.
 std::array<double, 3> exact_texel(const Texture& texture, const SurfaceRange& range);
 
 }  // namespace fillrule::scene
