@@ -1,6 +1,7 @@
 #include "harness/programs/texture_sampler.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -15,6 +16,8 @@ int64_t floor_to_texel(double coordinate) {
 }
 
 int64_t modulo(int64_t value, int64_t divisor) {
+  // Nearly always; a division takes longer than all else.
+  if (value >= 0 && value < divisor) return value;
   const int64_t rest = value % divisor;
   return rest < 0 ? rest + divisor : rest;
 }
@@ -43,16 +46,21 @@ Texel mix(const Texel& a, const Texel& b, double weight) {
   return mixed;
 }
 
-}  // namespace
-
-Texel texel(const TextureLevel& level, const Sampling2D& sampling, int64_t x, int64_t y) {
-  const auto wrapped_x = wrapped(x, level.width, sampling.wrap_u);
-  const auto wrapped_y = wrapped(y, level.height, sampling.wrap_v);
-  if (!wrapped_x || !wrapped_y) {
+// At coordinates that are wrapped.
+Texel texel_at(const TextureLevel& level, const Sampling2D& sampling, std::optional<int64_t> x,
+               std::optional<int64_t> y) {
+  if (!x || !y) {
     const float value = sampling.border == VK_BORDER_COLOR_FLOAT_OPAQUE_WHITE ? 1.0F : 0.0F;
     return {value, value, value, 1};
   }
-  return level.texels[static_cast<size_t>(*wrapped_y) * level.width + static_cast<size_t>(*wrapped_x)];
+  return level.texels[static_cast<size_t>(*y) * level.width + static_cast<size_t>(*x)];
+}
+
+}  // namespace
+
+Texel texel(const TextureLevel& level, const Sampling2D& sampling, int64_t x, int64_t y) {
+  return texel_at(level, sampling, wrapped(x, level.width, sampling.wrap_u),
+                  wrapped(y, level.height, sampling.wrap_v));
 }
 
 Texel sample_level(const TextureLevel& level, const Sampling2D& sampling, double u, double v) {
@@ -66,9 +74,14 @@ Texel sample_level(const TextureLevel& level, const Sampling2D& sampling, double
   const int64_t top = floor_to_texel(y - 0.5);
   const double weight_x = std::clamp(x - 0.5 - static_cast<double>(left), 0.0, 1.0);
   const double weight_y = std::clamp(y - 0.5 - static_cast<double>(top), 0.0, 1.0);
-  const Texel upper = mix(texel(level, sampling, left, top), texel(level, sampling, left + 1, top), weight_x);
-  const Texel lower = mix(texel(level, sampling, left, top + 1), texel(level, sampling, left + 1, top + 1), weight_x);
-  return mix(upper, lower, weight_y);
+  const std::array columns{wrapped(left, level.width, sampling.wrap_u),
+                           wrapped(left + 1, level.width, sampling.wrap_u)};
+  const auto row = [&](int64_t y) {
+    const std::optional<int64_t> wrapped_y = wrapped(y, level.height, sampling.wrap_v);
+    return mix(texel_at(level, sampling, columns[0], wrapped_y), texel_at(level, sampling, columns[1], wrapped_y),
+               weight_x);
+  };
+  return mix(row(top), row(top + 1), weight_y);
 }
 
 Texel sample(const Texture& texture, double u, double v, double level_of_detail) {
