@@ -103,22 +103,23 @@ struct SuiteRunner::State {
     return candidate.check(test_case);
   }
 
-  // The candidate's part and the verdict.
-  void finish(const Case& test_case, const ReferenceDrawing& drawn, CaseResult& result, RunTiming& timing) const {
+  // The candidate's part and the verdict. Returns the wall time of the parts.
+  RunTiming finish(const Case& test_case, const ReferenceDrawing& drawn, CaseResult& result) const {
+    RunTiming timing;
     const Planes* const reference_planes = drawn.planes ? &*drawn.planes : nullptr;
     if (Result<void> can = can_finish(test_case); !can) {
       result.status = Status::kSkipped;
       result.message = to_string(can.error());
-      return;
+      return timing;
     }
     const Stopwatch whole;
-    ThreadStopwatch stopwatch;
+    WallLaps stopwatch;
     const Result<Planes> planes = candidate.draw(test_case, 0);
     timing.candidate_seconds += stopwatch.lap();
     if (!planes) {
       result.status = Status::kFailed;
       result.message = "the candidate cannot draw it: " + to_string(planes.error());
-      return;
+      return timing;
     }
     const judge::Oracle oracle = ask_oracle(test_case, reference_planes != nullptr);
     timing.oracle_seconds += stopwatch.lap();
@@ -141,6 +142,7 @@ struct SuiteRunner::State {
       return check.outcome == judge::CheckResult::Outcome::kFailed;
     });
     if (result.verdict.candidate_faults() > 0 || check_failed) result.status = Status::kFailed;
+    return timing;
   }
 
   // The next cases that there are for the device, drawn and handed to `take` one by one; false if there are none.
@@ -170,16 +172,21 @@ struct SuiteRunner::State {
         queue.push(std::move(job));
       }
     };
+    ThreadLaps processor;
     bool draws = worker < lane_count();
     while (true) {
       if (draws && queue.is_short(kBatchSize, kWaitingBytes)) {
         draws = draw_next(cases, lanes, worker, results, push);
         if (!draws) queue.stop_making();
+        processor.lap();
         continue;
       }
       const std::optional<Job> job = draws ? queue.try_pop() : queue.pop();
       if (job) {
-        finish(cases[job->index], job->reference, results[job->index], timing);
+        WallLaps wall;
+        const RunTiming parts = finish(cases[job->index], job->reference, results[job->index]);
+        // The processor's time, shared out as the wall time is.
+        timing += parts.scaled(processor.lap() / wall.lap());
         progress();
       } else if (!draws) {
         return;

@@ -19,6 +19,13 @@ struct RunTiming {
   [[nodiscard]] double reference_seconds() const {
     return processor_seconds - candidate_seconds - oracle_seconds - judge_seconds - check_seconds;
   }
+  // Every part so many times.
+  [[nodiscard]] RunTiming scaled(double factor) const {
+    return {.candidate_seconds = candidate_seconds * factor,
+            .oracle_seconds = oracle_seconds * factor,
+            .judge_seconds = judge_seconds * factor,
+            .check_seconds = check_seconds * factor};
+  }
   RunTiming& operator+=(const RunTiming& other) {
     wall_seconds += other.wall_seconds;
     processor_seconds += other.processor_seconds;
