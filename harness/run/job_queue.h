@@ -62,11 +62,13 @@ class JobQueue {
     ready_.notify_all();
   }
 
-  // Whether those that make jobs had better do so now: fewer than `ahead` wait for each thread that only takes them,
-  // or none at all, and their pictures have fewer bytes than these.
-  [[nodiscard]] bool is_short(size_t ahead, size_t bytes) {
+  // Whether one that makes jobs had better do so now: fewer than `ahead` wait for each thread that only takes them,
+  // or none at all, and their pictures have fewer bytes than these. One that is behind the others works ahead, as if
+  // there were one thread more that only takes jobs.
+  [[nodiscard]] bool is_short(size_t ahead, size_t bytes, bool is_behind = false) {
     const std::lock_guard lock(mutex_);
-    return jobs_.size() < std::max<size_t>((threads_ - makers_) * ahead, 1) && waiting_bytes_ < bytes;
+    const size_t takers = threads_ - makers_ + (is_behind ? 1 : 0);
+    return jobs_.size() < std::max<size_t>(takers * ahead, 1) && waiting_bytes_ < bytes;
   }
 
   // Empty when no job waits and none will come.

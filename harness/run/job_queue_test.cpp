@@ -37,6 +37,16 @@ TEST(JobQueue, IsShortOfJobsThatMakersTakeThemselvesWhenItIsEmpty) {
   EXPECT_FALSE(queue.try_pop());
 }
 
+TEST(JobQueue, IsShortForOneThatIsBehindUntilSomeAreAhead) {
+  JobQueue queue(2, 2);
+  for (size_t i = 0; i < 4; ++i) {
+    EXPECT_TRUE(queue.is_short(4, kPlenty, true)) << i;
+    queue.push({.index = i});
+    EXPECT_FALSE(queue.is_short(4, kPlenty, false)) << i;
+  }
+  EXPECT_FALSE(queue.is_short(4, kPlenty, true));
+}
+
 TEST(JobQueue, IsNeverShortWhilePicturesPileUp) {
   JobQueue queue(8, 1);
   queue.push(job_with_picture(0));

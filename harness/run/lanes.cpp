@@ -11,6 +11,9 @@ Lanes::Lanes(std::span<const Case> cases, DeviceOfSlots& device_of) : device_of_
   for (size_t i = 0; i < cases.size(); ++i) by_slots[vulkan::pack(cases[i].varyings).counts].push_back(i);
   for (auto& [slots, numbers] : by_slots) groups_.push_back({.slots = slots, .cases = std::move(numbers)});
   std::ranges::stable_sort(groups_, std::ranges::greater(), [](const Group& group) { return group.cases.size(); });
+  for (const Group& group : groups_) {
+    if (const auto owner = device_of_.find(group.slots); owner != device_of_.end()) add_left(group, owner->second);
+  }
 }
 
 std::vector<size_t> Lanes::next(size_t device, size_t most) {
@@ -23,13 +26,30 @@ std::vector<size_t> Lanes::next(size_t device, size_t most) {
     const auto begin = group.cases.begin() + static_cast<ptrdiff_t>(group.drawn);
     batch.insert(batch.end(), begin, begin + static_cast<ptrdiff_t>(count));
     group.drawn += count;
+    left_[device] -= count;
   }
   return batch;
 }
 
+bool Lanes::is_behind(size_t device, size_t cases) {
+  const std::lock_guard lock(mutex_);
+  size_t others = 0;
+  for (size_t other = 0; other < left_.size(); ++other) {
+    if (other != device) others = std::max(others, left_[other]);
+  }
+  return device < left_.size() && left_[device] > others + cases;
+}
+
 // A group is that device's which asks for it first.
 bool Lanes::is_for(const Group& group, size_t device) {
-  return device_of_.emplace(group.slots, device).first->second == device;
+  const auto [owner, is_new] = device_of_.emplace(group.slots, device);
+  if (is_new) add_left(group, device);
+  return owner->second == device;
+}
+
+void Lanes::add_left(const Group& group, size_t device) {
+  if (left_.size() <= device) left_.resize(device + 1);
+  left_[device] += group.cases.size();
 }
 
 }  // namespace fillrule::run

@@ -28,6 +28,10 @@ class Lanes {
   // Numbers of up to `most` cases for the device; none where nothing is left for it.
   std::vector<size_t> next(size_t device, size_t most);
 
+  // Whether the device has over `cases` more left than any other: the rest of them, at the end, while nobody else
+  // draws.
+  [[nodiscard]] bool is_behind(size_t device, size_t cases);
+
  private:
   struct Group {
     vulkan::SlotCounts slots;
@@ -35,10 +39,12 @@ class Lanes {
     size_t drawn = 0;
   };
   [[nodiscard]] bool is_for(const Group& group, size_t device);
+  void add_left(const Group& group, size_t device);
 
   std::mutex mutex_;
   DeviceOfSlots& device_of_;
   std::vector<Group> groups_;  // the largest first
+  std::vector<size_t> left_;   // for each device its cases that were not handed out; of groups that are its own
 };
 
 }  // namespace fillrule::run

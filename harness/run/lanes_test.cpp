@@ -66,5 +66,29 @@ TEST(Lanes, ADeviceThatIsLeftWithNothingTakesWhatIsNobodys) {
   EXPECT_TRUE(lanes.next(1, 1).empty());
 }
 
+TEST(Lanes, TellWhichDeviceIsBehind) {
+  const std::vector<Case> cases = mixed_cases();
+  DeviceOfSlots device_of;
+  const auto taken = shared_out(cases, device_of);
+  ASSERT_NE(taken[0].size(), taken[1].size());
+  const size_t larger = taken[0].size() > taken[1].size() ? 0 : 1;
+  const size_t more = taken[larger].size() - taken[1 - larger].size();
+  // Now that they have their own, from the beginning.
+  Lanes lanes(cases, device_of);
+  EXPECT_TRUE(lanes.is_behind(larger, more - 1));
+  EXPECT_FALSE(lanes.is_behind(larger, more));
+  EXPECT_FALSE(lanes.is_behind(1 - larger, 0));
+  EXPECT_EQ(lanes.next(larger, more + 1).size(), more + 1);
+  EXPECT_FALSE(lanes.is_behind(larger, 0));
+  EXPECT_TRUE(lanes.is_behind(1 - larger, 0));
+  // Of what is nobody's nothing is left for anyone.
+  DeviceOfSlots none;
+  Lanes fresh(cases, none);
+  EXPECT_FALSE(fresh.is_behind(0, 0));
+  EXPECT_EQ(fresh.next(0, 1).size(), 1U);
+  EXPECT_TRUE(fresh.is_behind(0, 0));
+  EXPECT_FALSE(fresh.is_behind(1, 0));
+}
+
 }  // namespace
 }  // namespace fillrule::run

@@ -175,7 +175,7 @@ struct SuiteRunner::State {
     ThreadLaps processor;
     bool draws = worker < lane_count();
     while (true) {
-      if (draws && queue.is_short(kBatchSize, kWaitingBytes)) {
+      if (draws && queue.is_short(kBatchSize, kWaitingBytes, lanes.is_behind(worker, kBatchSize))) {
         draws = draw_next(cases, lanes, worker, results, push);
         if (!draws) queue.stop_making();
         processor.lap();
