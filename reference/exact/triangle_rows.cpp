@@ -95,7 +95,8 @@ void TriangleRows::meet(const Boundary& boundary, double x, double y, uint32_t c
   row.must_end = std::clamp(row.must_end, row.must_begin, row.may_end);
 }
 
-// The viewport is convex, and there is nearly nothing of the row outside of it.
+// The viewport is convex, and there is nearly nothing of the row outside of it. Samples in doubt about it that are
+// beyond the triangle's own bounds are outside of both.
 void TriangleRows::meet_viewport(double x, double y, RowCoverage& row) const {
   const auto coverage = [&](uint32_t i) { return triangle_->classify(x + i, y, latitude_, kDoubtViewport).coverage; };
   while (row.may_begin < row.may_end && coverage(row.may_begin) == Coverage::kMustNot) ++row.may_begin;
