@@ -63,7 +63,7 @@ struct DrawMemory {
 // the byte.
 template <Program P>
 Result<void> draw(const DrawInput& input, const P& program, const Options& options) {
-  if (const Result<void> checked = check_draw(input, options); !checked) {
+  if (Result<void> checked = check_draw(input, options); !checked) {
     return checked;
   }
   const PreparedDraw prepared = prepare_draw(input, options);
