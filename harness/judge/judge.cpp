@@ -140,7 +140,7 @@ class CaseJudge {
     std::optional<Landed> top;
     size_t first = begin;
     for (size_t index = begin; index < end; ++index) {
-      const std::optional<Landed> here = certain_landing(index);
+      const std::optional<Landed> here = certain_landing(index, index + 1);
       if (here && here == top) continue;
       judge_top(verdict, top, first, index);
       top = here;
@@ -160,15 +160,8 @@ class CaseJudge {
     judge_planes(verdict, begin, end, in_bulk);
   }
 
-  // What lands at the sample whatever rounding does, if that is certain for every party.
-  std::optional<Landed> certain_landing(size_t index) {
-    const Possibilities& possible = candidate_.replay.at(index);
-    if (candidate_.replay.used_rules() || candidate_.judge.breaks_line_rule(index)) return std::nullopt;
-    if (has_reference() && reference_->judge.breaks_line_rule(index)) return std::nullopt;
-    return landed_of(possible);
-  }
-
-  // What lands at all samples [begin, end), of one class and row, if that is certain for every party, and the same.
+  // What lands at all samples [begin, end), of one class and row, whatever rounding does, if that is certain for
+  // every party, and the same.
   std::optional<Landed> certain_landing(size_t begin, size_t end) {
     Replay& replay = candidate_.replay;
     if (!replay.is_same_between(begin, end - 1) || replay.used_rules()) return std::nullopt;

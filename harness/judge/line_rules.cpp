@@ -110,7 +110,7 @@ class LineRules {
   void find_fragments() {
     std::vector<Entry> entries;
     for (size_t index = 0; index < planes_.hits.size(); ++index) {
-      // Where one piece alone must cover, it is no line.
+      // Where one piece alone must cover, it is no Bresenham line: of those no fragment is certain.
       const uint32_t number = expectation_.classes()[index];
       if (number == exact::kNothing || expectation_.sole(number)) continue;
       expectation_.collect(index, entries);

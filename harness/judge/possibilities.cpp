@@ -148,6 +148,7 @@ bool Replay::may_tell_between(size_t index) {
 
 bool Replay::is_same_between(size_t first, size_t last) {
   at(first);
+  if (first == last) return true;
   if (!class_.same_everywhere) {
     if (!decided_by_relations_) return false;
     relations_before_ = relations_;

@@ -86,7 +86,8 @@ class Replay {
   // (Expectation::classes()) and row; at() is then asked for the last one. Only the ends are looked at: either
   // nothing depends on the place, or depths alone do. A depth, its tolerance added, is a convex function of the
   // place, and a concave one where it is taken away. So of two depths one is the less from end to end if it is at
-  // both. (Doubles round that by some 2^-29 of the tolerance, as they do where a sample is asked by itself.)
+  // both. (Doubles are within a millionth of the tolerance of all that, value_bound_test.cpp, as where a
+  // sample is asked by itself.)
   bool is_same_between(size_t first, size_t last);
   // False where that cannot be told of any two samples of this one's class.
   [[nodiscard]] bool may_tell_between(size_t index);

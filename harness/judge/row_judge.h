@@ -24,8 +24,8 @@ class RowJudge {
         sources_(component_sources(test_case.varyings)) {}
 
   // Prepares for samples [begin, end) of one class (Expectation::classes()), and of one row, unless nothing lands
-  // there. False if it is not certain that one piece lands, or none: of several, one may fail a depth test, or have
-  // values that are undefined ground.
+  // there. False if it is not certain what does: several pieces may, or the only one may fail a depth test, or its
+  // values are undefined ground.
   bool start(size_t begin, size_t end);
   // Prepares for samples [begin, end) of one row where it is certain what is on top, whatever is below. False if that
   // is no piece whose values can be told in rows.

@@ -185,8 +185,10 @@ struct SuiteRunner::State {
       if (job) {
         WallLaps wall;
         const RunTiming parts = finish(cases[job->index], job->reference, results[job->index]);
-        // The processor's time, shared out as the wall time is.
-        timing += parts.scaled(processor.lap() / wall.lap());
+        // The processor's time, shared out as the wall time is, if that clock is fine enough to tell.
+        const double processor_seconds = processor.lap();
+        const double wall_seconds = wall.lap();
+        if (wall_seconds > 0) timing += parts.scaled(processor_seconds / wall_seconds);
         progress();
       } else if (!draws) {
         return;

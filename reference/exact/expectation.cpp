@@ -1,7 +1,6 @@
 #include "reference/exact/expectation.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <span>
 
@@ -205,59 +204,39 @@ void Expectation::classify_pixels(const Case& test_case, const Piece& piece, con
   }
 }
 
-// Of a triangle all samples of these pixels.
+// Of a triangle all samples of these pixels: row by row those of pixels that are covered as a whole, and those beside
+// them that may be.
 template <typename Visit>
 void Expectation::classify_rows(const Case& test_case, const Piece& piece, const VkRect2D& pixels,
                                 DoubtBits undecided, const Visit& visit) const {
   const std::span<const Position> locations = sample_locations(test_case.target.samples);
-  const uint32_t sample_mask = test_case.draws[piece.draw].state.sample_mask;
-  const uint32_t all_samples = (1U << locations.size()) - 1;
-  const auto opened = [&piece](const Classification& classification) {
-    return piece.open ? Classification{.coverage = Coverage::kMay, .doubt = kDoubtShape} : classification;
-  };
+  const TriangleRows rows(*piece.triangle(), piece.latitude, block_of(pixels, locations.size() == 1), undecided);
   const uint32_t width = pixels.extent.width;
-  const TriangleRows triangle_rows(*piece.triangle(), piece.latitude, block_of(pixels, locations.size() == 1),
-                                   undecided);
-  std::array<RowCoverage, kMaxSamples> rows{};  // of the samples of each number
   for (uint32_t row = 0; row < pixels.extent.height; ++row) {
-    const auto y = static_cast<uint32_t>(pixels.offset.y) + row;
-    const auto x = static_cast<uint32_t>(pixels.offset.x);
-    const size_t first = (size_t{y} * test_case.target.width + x) * locations.size();
-    // The pixels of which any sample may be covered, and of which all must be.
+    const int32_t y = pixels.offset.y + static_cast<int32_t>(row);
     RowCoverage whole{.may_begin = width, .must_end = width};
-    for (size_t sample = 0; sample < locations.size(); ++sample) {
-      const Position& location = locations[sample];
-      rows[sample] = triangle_rows.at(x + location.x, y + location.y, width);
-      if (rows[sample].may_begin < rows[sample].may_end) {
-        whole.may_begin = std::min(whole.may_begin, rows[sample].may_begin);
-        whole.may_end = std::max(whole.may_end, rows[sample].may_end);
+    for (const Position& location : locations) {
+      const RowCoverage of_samples = rows.at(pixels.offset.x + location.x, y + location.y, width);
+      if (of_samples.may_begin < of_samples.may_end) {
+        whole.may_begin = std::min(whole.may_begin, of_samples.may_begin);
+        whole.may_end = std::max(whole.may_end, of_samples.may_end);
       }
-      whole.must_begin = std::max(whole.must_begin, rows[sample].must_begin);
-      whole.must_end = std::min(whole.must_end, rows[sample].must_end);
+      whole.must_begin = std::max(whole.must_begin, of_samples.must_begin);
+      whole.must_end = std::min(whole.must_end, of_samples.must_end);
     }
-    const bool at_once = whole.must_begin < whole.must_end && (sample_mask & all_samples) == all_samples;
-    for (uint32_t column = whole.may_begin; column < whole.may_end; ++column) {
-      if (at_once && column == whole.must_begin) {
-        visit({.begin = first + whole.must_begin * locations.size(),
-               .end = first + whole.must_end * locations.size(),
-               .classification = opened({.coverage = Coverage::kMust})});
-        column = whole.must_end;
-        if (column == whole.may_end) break;
-      }
-      for (size_t sample = 0; sample < locations.size(); ++sample) {
-        const RowCoverage& of_sample = rows[sample];
-        if ((sample_mask >> sample & 1U) == 0 || column < of_sample.may_begin || column >= of_sample.may_end)
-          continue;
-        Classification classification{.coverage = Coverage::kMust};
-        if (column < of_sample.must_begin || column >= of_sample.must_end) {
-          const Position& location = locations[sample];
-          classification = piece.shape->classify(x + column + location.x, y + location.y, piece.latitude, undecided);
-          if (classification.coverage == Coverage::kMustNot) continue;
-        }
-        const size_t index = first + column * locations.size() + sample;
-        visit({.begin = index, .end = index + 1, .classification = opened(classification)});
-      }
+    const auto classify = [&](uint32_t begin, uint32_t end, DoubtBits to_ask) {
+      if (begin >= end) return;
+      const VkRect2D block{.offset = {.x = pixels.offset.x + static_cast<int32_t>(begin), .y = y},
+                           .extent = {.width = end - begin, .height = 1}};
+      classify_samples(test_case, piece, block, to_ask, visit);
+    };
+    if (whole.must_begin >= whole.must_end) {
+      classify(whole.may_begin, whole.may_end, undecided);
+      continue;
     }
+    classify(whole.may_begin, whole.must_begin, undecided);
+    classify(whole.must_begin, whole.must_end, 0);
+    classify(whole.must_end, whole.may_end, undecided);
   }
 }
 
