@@ -98,12 +98,10 @@ class CaseJudge {
     return end;
   }
 
-  // Whether it is certain for both parties what lands at the run, and the same.
+  // Whether it is certain for both parties what lands at the run.
   bool start_bulk(size_t begin, size_t end) {
-    RowJudge& rows = candidate_.answers.rows;
-    if (!rows.start(begin, end)) return false;
-    return !reference_differs() ||
-           (reference_->answers.rows.start(begin, end) && reference_->answers.rows.top() == rows.top());
+    return candidate_.answers.rows.start(begin, end) &&
+           (!reference_differs() || reference_->answers.rows.start(begin, end));
   }
 
   void judge_run(CaseVerdict& verdict, size_t begin, size_t end) {
@@ -165,8 +163,6 @@ class CaseJudge {
   std::optional<Landed> certain_landing(size_t begin, size_t end) {
     Replay& replay = candidate_.replay;
     if (!replay.is_same_between(begin, end - 1) || replay.used_rules()) return std::nullopt;
-    if (candidate_.judge.breaks_line_rule(begin, end)) return std::nullopt;
-    if (has_reference() && reference_->judge.breaks_line_rule(begin, end)) return std::nullopt;
     return landed_of(replay.at(end - 1));
   }
 

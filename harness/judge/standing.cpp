@@ -135,9 +135,8 @@ PartyJudge::PartyJudge(const Case& test_case, const Planes& planes, const exact:
       shades_samples_(shades_samples(test_case)),
       broken_(broken_line_rules(test_case, expectation, planes)) {}
 
-bool PartyJudge::breaks_line_rule(size_t begin, size_t end) const {
-  const auto broken = std::ranges::lower_bound(broken_, begin);
-  return broken != broken_.end() && *broken < end;
+bool PartyJudge::breaks_line_rule(size_t index) const {
+  return std::binary_search(broken_.begin(), broken_.end(), index);
 }
 
 Standing PartyJudge::coverage(const Possibilities& possible, size_t index) const {

@@ -27,9 +27,7 @@ class PartyJudge {
   PartyJudge(const Case& test_case, const Planes& planes, const exact::Expectation& expectation, ValueCache& values);
 
   // Whether the planes break a rule for lines as a whole there.
-  [[nodiscard]] bool breaks_line_rule(size_t index) const { return breaks_line_rule(index, index + 1); }
-  // ... at any of the samples [begin, end).
-  [[nodiscard]] bool breaks_line_rule(size_t begin, size_t end) const;
+  [[nodiscard]] bool breaks_line_rule(size_t index) const;
   [[nodiscard]] Standing coverage(const Possibilities& possible, size_t index) const;
   [[nodiscard]] Standing hits(const Possibilities& possible, size_t index) const;
   [[nodiscard]] Standing owner(const Possibilities& possible, size_t index) const;

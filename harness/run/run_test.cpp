@@ -175,6 +175,17 @@ TEST(SuiteRunner, OtherSubpixelBitsAreStillWithinTheSpecification) {
   EXPECT_EQ(runner->run(cases()).summary.failed, 0U);
 }
 
+TEST(SuiteRunner, TellsWhereTheTimeWent) {
+  auto runner = SuiteRunner::create({.reference = kNoReference, .jobs = 2});
+  ASSERT_TRUE(runner);
+  const RunTiming timing = runner->run(cases()).timing.run;
+  for (const double part :
+       {timing.candidate_seconds, timing.oracle_seconds, timing.judge_seconds, timing.check_seconds}) {
+    EXPECT_GT(part, 0);
+  }
+  EXPECT_GE(timing.reference_seconds(), 0) << "parts of the processor's time are no more than all of it";
+}
+
 TEST(SuiteRunner, TheReferenceAloneIsMeasuredOnRequest) {
   auto runner = SuiteRunner::create({.measure_alone = true});
   ASSERT_TRUE(runner);
