@@ -55,7 +55,7 @@ expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
 # Sanitizers would report a crash themselves unless told not to.
 expect 139 'fillrule: died of signal SIGSEGV; the innermost frames first:' \
   env ASAN_OPTIONS=handle_segv=0 TSAN_OPTIONS=handle_segv=0 \
-  bash -c '(sleep 0.5; kill -SEGV $$) & exec "$0" stress --triangles 1000000000' "$fillrule"
+  bash -c '(sleep 2; kill -SEGV $$) & exec "$0" stress --triangles 1000000000' "$fillrule"
 expect 0 'lavapipe' "$fillrule" devices
 expect 0 'own/cases/topic/a_case.toml' "$fillrule" new topic/a_case --folder own/cases
 expect 2 'is there already' "$fillrule" new topic/a_case --folder own/cases

@@ -51,7 +51,17 @@ for columns in 40 60 100; do
   [ -z "$long" ] || fail "a terminal of $columns columns is overrun: $long"
 done
 
-# A run that takes some seconds: progress is first shown after one, on a fast machine too.
+# A run of two seconds on the fastest machine, as progress is first shown after one: it is held up when it has begun.
+cat >"$work/slowly" <<'BASH'
+"$@" &
+for _ in 1 2 3 4; do
+  kill -STOP $! 2>/dev/null || break
+  sleep 0.5
+  kill -CONT $!
+  sleep 0.05
+done
+wait $!
+BASH
 cat >"$work/long.toml" <<'TOML'
 title = "long"
 why = "takes long enough to show how far it is"
@@ -65,7 +75,7 @@ y = { from = 1, to = 4, step = 1 }
 space = "framebuffer"
 positions = [[0, 0], ["500 + x", 0], [0, "511 + y"]]
 TOML
-long="'$fillrule' run '$work/long.toml' --reference none --jobs 1"
+long="bash '$work/slowly' '$fillrule' run '$work/long.toml' --reference none --jobs 1"
 output=$(on_terminal 100 "$long")
 holds "$output" 'of 240 cases, ' 'progress'
 holds "$output" ' left' 'progress'
