@@ -202,7 +202,7 @@ class TriangleLanes {
       Int value2 = edge2.value;
       Int in_row{};
       for (int32_t column = 0; column < kTinyWidth && L::any(widths > column); ++column) {
-        in_row |= ((value0 | value1 | value2) >= 0) & (1 << column);
+        in_row |= ((value0 | value1 | value2) >= 0) & L::all(1 << column);
         value0 += edge0.step_x;
         value1 += edge1.step_x;
         value2 += edge2.step_x;

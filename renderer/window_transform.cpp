@@ -60,7 +60,8 @@ void add_user_distances(std::span<const float> clip_distances, std::span<const f
                         WindowVertex& vertex) {
   for (uint32_t i = 0; i < clip_distances.size(); ++i) {
     const float distance = clip_distances[i];
-    const uint32_t code = !std::isfinite(distance) ? kClipNotFinite : (distance < 0 ? kClipFirstUser << i : 0U);
+    const uint32_t code =
+        !std::isfinite(distance) ? kClipNotFinite : (distance < 0 ? uint32_t{kClipFirstUser} << i : 0U);
     vertex.clip_code = static_cast<ClipCode>(vertex.clip_code | code);
   }
   for (uint32_t i = 0; i < cull_distances.size(); ++i) {

@@ -80,8 +80,9 @@ TEST(WindowTransform, GivesSeveralVerticesWhatItGivesEach) {
   constexpr size_t kVertices = 4096;
   SCOPED_TRACE(kSeed);
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
   constexpr std::array kSpecial{0.0F,     -0.0F,     1.0F,       -1.0F, 0x1p-126F, 0x1p-127F, 0x1p126F,
-                                0x1p127F, kInfinity, -kInfinity, 1e30F, 3e38F,     -2.0F,     std::nanf("")};
+                                0x1p127F, kInfinity, -kInfinity, 1e30F, 3e38F,     -2.0F,     kNan};
   std::mt19937 random(kSeed);
   const auto coordinate = [&](float least) {
     return random() % 16 == 0 ? kSpecial[random() % kSpecial.size()]
