@@ -245,37 +245,65 @@ template <typename L, size_t kSamples, typename Visit>
   coverage.count += block.any != 0 ? 1 : 0;
 }
 
+// Whether all samples of all pixels of the rectangle of blocks are inside of the edges.
+template <size_t kSamples>
+[[gnu::always_inline]] inline bool is_all_inside(const Piece<kSamples>& piece, const PixelRect& blocks) {
+  return std::all_of(piece.begin(), piece.end(), [&](const PieceEdge<kSamples>& edge) {
+    const int64_t least_step_x = int64_t{std::min(edge.step_x, 0)} * (blocks.width() - 1);
+    const int64_t least_step_y = int64_t{std::min(edge.step_y, 0)} * (blocks.height() - 1);
+    return edge.least + least_step_x + least_step_y >= 0;
+  });
+}
+
+// Whether a fragment may land on every sample of the rectangle.
+[[gnu::always_inline]] inline bool contain(std::span<const SampleArea> samples, const PixelRect& rect) {
+  return std::all_of(samples.begin(), samples.end(),
+                     [&](const SampleArea& sample) { return intersection(sample.pixels, rect) == rect; });
+}
+
 template <typename Coverage>
 inline constexpr size_t kSamplesOf = std::is_same_v<Coverage, TileCoverage> ? 1 : kMaxSamples;
 
-// cover() of coverage.h of a triangle that is narrow; false, and nothing done, if it is not. `rect` is the part of
-// the bounding box that lies in `limits` and in the tile: no sample outside of the box is inside of the edges.
+// What became of a triangle.
+enum class NarrowCover : uint8_t {
+  kNotNarrow,  // and nothing was done
+  kBlocks,
+  kWholeTile,  // all of its samples; no block was added
+};
+
+// cover() of coverage.h of a triangle, if it is narrow. `rect` is the part of the bounding box that lies in `limits`
+// and in the tile: no sample outside of the box is inside of the edges.
 template <typename L, typename Coverage>
-[[gnu::always_inline]] inline bool cover_narrow(const std::array<FixedPosition, 3>& triangle,
-                                                std::span<const SampleArea> samples, uint32_t subpixel_bits,
-                                                const PixelRect& rect, const PixelRect& limits, Coverage& coverage) {
+[[gnu::always_inline]] inline NarrowCover cover_narrow(const std::array<FixedPosition, 3>& triangle,
+                                                       std::span<const SampleArea> samples, uint32_t subpixel_bits,
+                                                       const PixelRect& rect, const PixelRect& limits,
+                                                       Coverage& coverage) {
   constexpr size_t kSamples = kSamplesOf<Coverage>;
   const FixedPosition a = triangle[0];
   FixedPosition b = triangle[1];
   FixedPosition c = triangle[2];
   if (!is_narrow(a, b, c)) {
-    return false;
+    return NarrowCover::kNotNarrow;
   }
   const int64_t area = doubled_area(a, b, c);
   if (area < 0) {
     std::swap(b, c);
   }
   if (area == 0) {
-    return true;
+    return NarrowCover::kBlocks;
   }
   const PixelRect blocks = touched_blocks(rect);
   const Piece<kSamples> piece = make_piece<kSamples>(a, b, c, samples, subpixel_bits, blocks, kNarrowFar);
+  if (rect.width() == kTileSize && rect.height() == kTileSize && is_all_inside(piece, rect) &&
+      contain(samples, rect)) {
+    return NarrowCover::kWholeTile;
+  }
   fill_narrow<L, kSamples>(
       piece, blocks,
       samples, [&](int32_t x, int32_t y, const SampleMasks<kSamples>& masks) __attribute__((always_inline)) {
         add_block(x, y, masks, limits, samples, coverage);
       });
-  return true;
+  return NarrowCover::kBlocks;
 }
 
 }  // namespace fillrule::renderer::internal

@@ -1,5 +1,9 @@
-// Two vectors of lanes as one, for what is the same work in both: colours of two rows.
+// Two vectors of lanes as one, for what is the same work in both: colours of two rows, depths of samples side by
+// side.
 #pragma once
+
+#include <cstdint>
+#include <utility>
 
 #include "renderer/vector_lanes.h"
 
@@ -9,6 +13,7 @@ namespace fillrule::renderer {
 template <typename L>
 struct LanePairs {
   static constexpr bool kExist = false;
+  using Lanes = L;
 };
 
 template <>
@@ -17,7 +22,11 @@ struct LanePairs<Avx512Lanes> {
   using Lanes = VectorLanes<64, 64>;
 
   [[gnu::always_inline]] static Lanes::Float pair(const Avx512Lanes::Float& first, const Avx512Lanes::Float& second) {
-    return __builtin_shufflevector(first, second, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15);
+    return joined<Lanes::Float>(first, second, std::make_integer_sequence<int, Lanes::kWidth>());
+  }
+  [[gnu::always_inline]] static Lanes::Double pair(const Avx512Lanes::Double& first,
+                                                   const Avx512Lanes::Double& second) {
+    return {{first.parts[0], second.parts[0]}};
   }
   [[gnu::always_inline]] static Avx512Lanes::Int first_of(const Lanes::Int& pair) {
     return __builtin_shufflevector(pair, pair, 0, 1, 2, 3, 4, 5, 6, 7);

@@ -128,11 +128,15 @@ struct ScalarLanes {
     return value;
   }
 
-  // kCount values, again and again, to fill all lanes.
-  template <uint32_t kCount>
-  static Int load_each(const int32_t* values) {
-    static_assert(kCount == 1);
-    return *values;
+  // Bit 4 * i + k: whether begins[k] <= first + i < ends[k], of eight numbers and four spans. All are bytes.
+  static uint32_t within_four(int32_t first, const char* begins, const char* ends) {
+    uint32_t within = 0;
+    for (uint32_t bit = 0; bit < 32; ++bit) {
+      const int32_t number = first + static_cast<int32_t>(bit / 4);
+      const bool is_within = begins[bit % 4] <= number && number < ends[bit % 4];
+      within |= (is_within ? 1U : 0U) << bit;
+    }
+    return within;
   }
   // Of each kCount lanes side by side, to all of them. kCount is 1 or 4.
   template <uint32_t kCount>

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <array>
+#include <cmath>
+
 #include "renderer/test_scene.h"
 
 namespace fillrule::renderer {
@@ -83,6 +86,47 @@ TEST(Pipeline, GivesThreadsTheChunksOfTheirBands) {
               ::testing::ElementsAre(0, 2, 1, 3, 4, kNoChunk));
   EXPECT_THAT(chunks_by_bands(prepared, grid, vertices, {2, 2}, 2), ::testing::ElementsAre(kNoChunk, 0, kNoChunk, 1));
   EXPECT_THAT(chunks_by_bands(prepared, grid, vertices, {0, kChunks}, 1), ::testing::ElementsAre(0, 1, 2, 3, 4));
+}
+
+// Layer upon layer, their edges within a pixel of a tile's corner: beyond all samples of the tile, or not quite. The
+// scanlines know of no tiles.
+TEST(WholeTiles, EqualScanlinesWhereAnEdgeNearlyMissesTheTile) {
+  SeededRandom random;
+  for (const uint32_t samples : {1U, 2U, 4U, 8U, 16U}) {
+    for (const bool is_bordered : {false, true}) {
+      TestScene scene(256, 128);
+      scene.samples = samples;
+      scene.state.depth_test = true;
+      if (is_bordered) {  // not by whole pixels: of some pixels a few samples are within the viewport
+        scene.state.viewport = {0.25F, 0.5F, 255.5F, 127, 0, 1};
+        scene.state.scissor = {{0, 1}, {192, 127}};
+      }
+      for (uint32_t i = 0; i < 50; ++i) {
+        // The samples that are nearest to a border of pixels are one of these away from it: edges along rows and
+        // columns go through them.
+        constexpr std::array kNearest{0.0, 1.0 / 16, 2.0 / 16, 4.0 / 16, 8.0 / 16};
+        const auto from_corner = [&] {
+          return (random.bits() % 2 == 0 ? 1 : -1) * kNearest[random.bits() % kNearest.size()];
+        };
+        const double x = 64 * std::floor(random.uniform(0, 5)) + from_corner();
+        const double y = 64 * std::floor(random.uniform(0, 3)) + from_corner();
+        const double dx = i % 4 == 1 ? 0 : random.uniform(-1000, 1000);
+        const double dy = i % 4 == 2 ? 0 : random.uniform(-1000, 1000);
+        const double side = random.bits() % 2 == 0 ? 1 : -1;
+        const double depth = 0.9 - i * 0.015 + random.uniform(-0.03, 0.03);  // most are nearer than those before
+        scene.positions.push_back(scene.at(x - dx, y - dy, depth));
+        scene.positions.push_back(scene.at(x + dx, y + dy, depth));
+        scene.positions.push_back(scene.at(x - side * dy, y + side * dx, depth));
+        for (int k = 0; k < 3; ++k) scene.values.push_back(static_cast<float>(random.uniform(0, 1)));
+      }
+      const TestPlanes expected = render(scene, {.fill = Fill::kScanline});
+      EXPECT_GT(*std::max_element(expected.hits.begin(), expected.hits.end()), 3U);
+      for (const Isa isa : kAllIsas) {
+        if (!is_supported(isa)) continue;
+        EXPECT_TRUE(same_bytes(render(scene, {.isa = isa}), expected)) << samples << " samples, " << to_string(isa);
+      }
+    }
+  }
 }
 
 TEST(Pipeline, TheLastSubmittedWinsWithoutADepthTest) {

@@ -4,8 +4,10 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <type_traits>
 
 #include "renderer/color_rows.h"
+#include "renderer/lane_pairs.h"
 #include "renderer/shading.h"
 #include "renderer/tile_attachments.h"
 
@@ -38,17 +40,27 @@ template <typename L, bool kIsUsual>
 }
 
 // Tests a row of values that lie in vectors side by side: `columns` and `row` are what their depths are the sum of.
-// Bit by bit: which there are, and which pass.
+// Bit by bit: which there are, and which pass. Two vectors are compared and stored as one where there are pairs.
 template <typename L, bool kIsUsual, bool kIsFull, size_t kVectors>
 [[gnu::always_inline]] inline uint32_t test_row(const DepthStage& stage,
                                                 const std::array<typename L::Double, kVectors>& columns,
                                                 const typename L::Double& row, float* depths, uint32_t bits) {
-  constexpr uint32_t kAllLanes = (1U << L::kWidth) - 1;
+  using Pairs = LanePairs<L>;
+  constexpr bool kAreInPairs = Pairs::kExist && kIsUsual && kVectors % 2 == 0;
+  using Tested = std::conditional_t<kAreInPairs, typename Pairs::Lanes, L>;
+  constexpr uint32_t kAllLanes = (1U << Tested::kWidth) - 1;
+  const auto depths_from = [&](uint32_t vector) __attribute__((always_inline)) {
+    if constexpr (kAreInPairs) {
+      return Pairs::pair(columns[vector] + row, columns[vector + 1] + row);
+    } else {
+      return columns[vector] + row;
+    }
+  };
   uint32_t landed = 0;
-  for (uint32_t vector = 0; vector < kVectors; ++vector) {
+  for (uint32_t vector = 0; vector < kVectors; vector += Tested::kWidth / L::kWidth) {
     const uint32_t first = vector * L::kWidth;
-    const typename L::Some values = L::some(kIsFull ? kAllLanes : bits >> first);
-    landed |= test_depths<L, kIsUsual>(stage, columns[vector] + row, values, depths + first) << first;
+    const typename Tested::Some values = Tested::some(kIsFull ? kAllLanes : bits >> first);
+    landed |= test_depths<Tested, kIsUsual>(stage, depths_from(vector), values, depths + first) << first;
   }
   return landed;
 }

@@ -17,6 +17,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <cstring>
 #include <limits>
 #include <utility>
 
@@ -180,32 +181,38 @@ template <typename L>
   writer.template add<L>(begins, first_row, (1 << lengths) - 1);
 }
 
-// Spans that were kept, row by row and sample by sample.
-template <uint32_t kSamples>
+// Spans of four samples that were kept, row by row and sample by sample: pixels from the first one of any of the
+// row's samples, which are few enough for bytes.
 struct RowSpans {
-  using Values = std::array<int32_t, size_t{kMaxSpanPixels + kBlockSize} * kSamples>;
-  Values begins;
-  Values ends;
-  Values firsts;  // the least beginning of a row's samples; not of one
+  static constexpr size_t kRows = kMaxSpanPixels + kBlockSize;  // lanes write beyond the last row
+  std::array<char, 4 * kRows> begins;
+  std::array<char, 4 * kRows> ends;
+  std::array<char, 4 * kRows> firsts;  // of the first pixel: from the left of the rectangle
+
+  // From row `row` on, as many rows as lanes hold.
+  template <typename L>
+  [[gnu::always_inline]] void keep(int32_t row, const LaneSpans<L>& spans, const typename L::Int& first_pixels) {
+    const size_t first = 4 * static_cast<size_t>(row);
+    put<L>(spans.begins - first_pixels, begins.data() + first);
+    put<L>(spans.ends - first_pixels, ends.data() + first);
+    put<L>(first_pixels, firsts.data() + first);
+  }
+
+ private:
+  template <typename L>
+  [[gnu::always_inline]] static void put(const typename L::Int& values, char* bytes) {
+    const uint64_t low = L::low_bytes(values);
+    std::memcpy(bytes, &low, L::kWidth);
+  }
 };
 
-// Of several samples the same, row by row.
-template <typename L, uint32_t kSamples>
-[[gnu::always_inline]] inline void add_runs(const RowSpans<kSamples>& spans, int32_t first_pixel, RunWriter& writer) {
-  constexpr uint32_t kVectors = kBlockSize * kSamples / L::kWidth;
-  constexpr auto kPixelsInVector = static_cast<int32_t>(L::kWidth / kSamples);
-  const auto pixels = L::template repeated<kSamples, 0>(L::numbers());
+// Of four samples: from the first pixel of each row's spans, and so many on, the row's run.
+template <typename L>
+[[gnu::always_inline]] inline void add_runs(const RowSpans& spans, int32_t first_pixel, RunWriter& writer) {
   for (int32_t row = 0; row < writer.rect.height(); ++row) {
-    const size_t first = static_cast<size_t>(row) * kSamples;
-    const int32_t column = spans.firsts[first] + first_pixel;
-    const auto begins = L::template load_each<kSamples>(spans.begins.data() + first);
-    const auto ends = L::template load_each<kSamples>(spans.ends.data() + first);
-    uint32_t covered = 0;
-    for (uint32_t vector = 0; vector < kVectors; ++vector) {
-      const auto at = pixels + (column + static_cast<int32_t>(vector) * kPixelsInVector);
-      covered |= L::bits_of((at >= begins) & (at < ends)) << (vector * L::kWidth);
-    }
-    writer.add(column, row, covered);
+    const size_t first = 4 * static_cast<size_t>(row);
+    writer.add(spans.firsts[first] + first_pixel, row,
+               L::within_four(first_pixel, spans.begins.data() + first, spans.ends.data() + first));
   }
 }
 
@@ -219,7 +226,7 @@ template <typename L, uint32_t kSamples>
   SpanEdge<L, kSamples> edge2(c, a, samples, subpixel_bits, rect);
   const auto width = L::all(static_cast<float>(rect.width()));
   auto longest = L::all(0.0F);
-  RowSpans<kSamples> kept;
+  RowSpans kept;
   constexpr auto kRows = static_cast<int32_t>(L::kWidth / kSamples);
   for (int32_t row = 0; row < rect.height(); row += kRows) {
     auto begins = L::all(0.0F);
@@ -234,20 +241,17 @@ template <typename L, uint32_t kSamples>
         add_runs<L>(spans, row, pixel, writer);
       }
     } else {
-      const size_t first = static_cast<size_t>(row) * kSamples;
-      L::store(spans.begins, kept.begins.data() + first);
-      L::store(spans.ends, kept.ends.data() + first);
       const auto firsts = L::template least_of_each<kSamples>(L::to_float(spans.begins));
       const auto lasts = L::template greatest_of_each<kSamples>(L::to_float(spans.ends));
       longest = L::greater(lasts - firsts, longest);
-      L::store(L::truncated(firsts), kept.firsts.data() + first);
+      kept.keep<L>(row, spans, L::truncated(firsts));
     }
   }
   if constexpr (kSamples > 1) {
-    add_runs<L, kSamples>(kept, 0, writer);
+    add_runs<L>(kept, 0, writer);
     for (int32_t pixel = kBlockSize; pixel < rect.width() && L::any(longest > L::all(static_cast<float>(pixel)));
          pixel += kBlockSize) {
-      add_runs<L, kSamples>(kept, pixel, writer);
+      add_runs<L>(kept, pixel, writer);
     }
   }
 }

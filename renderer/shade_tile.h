@@ -63,6 +63,19 @@ template <Program P>
   }
 }
 
+// Of which all samples are covered.
+template <typename Coverage>
+[[gnu::always_inline]] inline auto whole_block(size_t samples) {
+  if constexpr (std::is_same_v<Coverage, TileCoverage>) {
+    return CoverageBlock{.x = 0, .y = 0, .mask = kFullMask};
+  } else {
+    SampledBlock block;
+    block.any = kFullMask;
+    std::fill_n(block.masks.begin(), samples, kFullMask);
+    return block;
+  }
+}
+
 // Primitives that were covered and wait for their shading: whether the next one covers anything is then known before
 // it is asked, not guessed wrong half of the time.
 template <typename L, typename Coverage, Program P>
@@ -98,14 +111,15 @@ class ShadingQueue {
     entry.first_block = coverage_.count;
     entry.first_run = runs_.count;
     entry.covered = 0;
+    entry.is_whole_tile = false;
     if (kHasTiny && has_lane_planes_ && primitive.covered_pixels() != 0) {
       attachments_.load(rect);
       entry.covered = covered_within(primitive, rect);
       count_ += entry.covered != 0 ? 1 : 0;
       return count_ == kMaxEntries;
     }
-    cover_outline(primitive, outline, rect);
-    count_ += coverage_.count != entry.first_block || runs_.count != entry.first_run ? 1 : 0;
+    cover_outline(primitive, outline, rect, entry);
+    count_ += entry.is_whole_tile || coverage_.count != entry.first_block || runs_.count != entry.first_run ? 1 : 0;
     return count_ == kMaxEntries || coverage_.count > kMaxBlocks || !runs_.has_room();
   }
 
@@ -125,7 +139,7 @@ class ShadingQueue {
       while (first < end) {
         first = is_tiny(first)    ? shade_tiny(first, triangles)
                 : has_runs(first) ? shade_runs(first, end, triangles)
-                                  : shade_blocks(first);
+                                  : shade_blocks(first, end);
       }
     }
     count_ = 0;
@@ -142,7 +156,8 @@ class ShadingQueue {
     std::span<const FixedPosition> outline;
     uint32_t first_block = 0;
     uint32_t first_run = 0;
-    uint32_t covered = 0;  // of a tiny triangle the pixels within the tile, as SetupPrimitive::covered_pixels()
+    bool is_whole_tile = false;  // it covers all of the tile's samples, and has no blocks
+    uint32_t covered = 0;        // of a tiny triangle the pixels within the tile, as SetupPrimitive::covered_pixels()
   };
 
   // Whether nothing of it can land, so that it need not even be covered. Of what is visible the planes are made
@@ -202,7 +217,7 @@ class ShadingQueue {
   static constexpr bool kHasTiny = kHasLanePlanes && kSamples == 1;
 
   [[gnu::always_inline]] void cover_outline(const SetupPrimitive& primitive, std::span<const FixedPosition> outline,
-                                            const PixelRect& rect) {
+                                            const PixelRect& rect, Entry& entry) {
     if (primitive.polygon_count == 0 && draw_.coverage_rule.fill == Fill::kEdgeFunction) {
       if constexpr (kHasRuns) {
         if (primitive.covered_pixels() != 0) {
@@ -218,8 +233,10 @@ class ShadingQueue {
           return;
         }
       }
-      if (cover_narrow<L>(primitive.vertices, draw_.samples(), draw_.subpixel_bits, rect, draw_.setup.clip_pixels,
-                          coverage_)) {
+      const NarrowCover cover = cover_narrow<L>(primitive.vertices, draw_.samples(), draw_.subpixel_bits, rect,
+                                                draw_.setup.clip_pixels, coverage_);
+      entry.is_whole_tile = cover == NarrowCover::kWholeTile;
+      if (cover != NarrowCover::kNotNarrow) {
         return;
       }
     }
@@ -284,13 +301,28 @@ class ShadingQueue {
         runs_, entries_[first].first_run, entries_[end].first_run);
   }
 
-  [[nodiscard, gnu::always_inline]] uint32_t shade_blocks(uint32_t entry) const {
-    const PrimitiveShader<P> shader{draw_, program_, primitives_[entry]};
-    const BlockShader<L, P> block_shader{shader, attachments_};
-    for (uint32_t block = entries_[entry].first_block; block < entries_[entry + 1].first_block; ++block) {
-      block_shader.shade(coverage_.blocks[block]);
+  // All that cover the whole tile and come one after the other, or one that does not. The former block by block: a
+  // block's samples then stay in the nearest cache.
+  [[nodiscard, gnu::always_inline]] uint32_t shade_blocks(uint32_t first, uint32_t end) const {
+    const bool is_whole_tile = entries_[first].is_whole_tile;
+    uint32_t entry = first + 1;
+    while (is_whole_tile && entry < end && entries_[entry].is_whole_tile) {
+      ++entry;
     }
-    return entry + 1;
+    auto whole = whole_block<Coverage>(draw_.samples().size());
+    const uint32_t first_block = entries_[first].first_block;
+    const uint32_t blocks = is_whole_tile ? kMaxBlocks : entries_[entry].first_block - first_block;
+    for (uint32_t i = 0; i < blocks; ++i) {
+      constexpr int32_t kBlocksInRow = kTileSize / kBlockSize;
+      whole.x = tile_pixels_.left + static_cast<int32_t>(i) % kBlocksInRow * kBlockSize;
+      whole.y = tile_pixels_.top + static_cast<int32_t>(i) / kBlocksInRow * kBlockSize;
+      const auto& block = is_whole_tile ? whole : coverage_.blocks[first_block + i];
+      for (uint32_t k = first; k < entry; ++k) {
+        const PrimitiveShader<P> shader{draw_, program_, primitives_[k]};
+        BlockShader<L, P>{shader, attachments_}.shade(block);
+      }
+    }
+    return entry;
   }
 
   const PreparedDraw& draw_;

@@ -61,6 +61,13 @@ template <typename Vector, typename T>
 template <typename Vector, typename Half, int... kNumbers>
 [[gnu::always_inline]] inline Vector joined(const Half& low, const Half& high,
                                             std::integer_sequence<int, kNumbers...> /*all*/) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+  // GCC 12 by itself would clear the upper half first.
+  if constexpr (sizeof(Vector) == 64 && std::is_same_v<Half, typename SimdVector<float, 32>::Type>) {
+    const Vector wide = __builtin_ia32_ps512_256ps(low);
+    return __builtin_ia32_insertf32x8_mask(wide, high, 1, wide, kAllOf512);
+  }
+#endif
   return __builtin_shufflevector(low, high, kNumbers...);
 }
 

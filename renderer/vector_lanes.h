@@ -238,7 +238,7 @@ struct VectorLanes {
     return !any(to_float(beyond) > all(0.0F));
   }
 
-  using Some = std::conditional_t<kMasksAreBits, uint8_t, Mask>;
+  using Some = std::conditional_t<kMasksAreBits, std::conditional_t<kWidth == 16, uint16_t, uint8_t>, Mask>;
   [[gnu::always_inline]] static Some some(uint32_t bits) {
     if constexpr (kMasksAreBits) {
       return static_cast<Some>(bits);
@@ -287,8 +287,13 @@ struct VectorLanes {
   }
   [[gnu::always_inline]] static uint32_t store_lesser(const Some& lanes, const Float& value, float* values) {
 #ifdef FILLRULE_HAS_LANE_BUILTINS
-    if constexpr (kMasksAreBits) {
-      constexpr int kLess = 1;
+    constexpr int kLess = 1;
+    if constexpr (kMasksAreBits && kFloatBytes == 64) {
+      const auto lesser =
+          static_cast<Some>(__builtin_ia32_cmpps512_mask(value, load(values), kLess, lanes, kCurrentRounding));
+      __builtin_ia32_storeups512_mask(values, value, lesser);
+      return lesser;
+    } else if constexpr (kMasksAreBits) {
       const auto lesser = static_cast<Some>(__builtin_ia32_cmpps256_mask(value, load(values), kLess, lanes));
       __builtin_ia32_storeups256_mask(values, value, lesser);
       return lesser;
@@ -332,6 +337,7 @@ struct VectorLanes {
   }
   // The lanes' lowest bytes, lane 0 lowest.
   [[gnu::always_inline]] static uint64_t low_bytes(const Int& value) {
+    static_assert(kWidth <= sizeof(uint64_t));
     const Bytes bytes = __builtin_convertvector(value, Bytes);
     uint64_t result = 0;
     std::memcpy(&result, &bytes, sizeof bytes);
@@ -356,8 +362,16 @@ struct VectorLanes {
       return static_cast<uint32_t>(__builtin_ia32_movmskps256(reinterpret_cast<const Float&>(value)));
     }
 #else
-    // The product moves one bit of each byte to the top byte.
-    return static_cast<uint32_t>((low_bytes(value < 0) & kOneOfEach) * kEachByte >> 56U);
+    if constexpr (kWidth > sizeof(uint64_t)) {
+      uint32_t bits = 0;
+      for (uint32_t lane = 0; lane < kWidth; ++lane) {
+        bits |= static_cast<uint32_t>(value[lane]) >> 31U << lane;
+      }
+      return bits;
+    } else {
+      // The product moves one bit of each byte to the top byte.
+      return static_cast<uint32_t>((low_bytes(value < 0) & kOneOfEach) * kEachByte >> 56U);
+    }
 #endif
   }
 
@@ -398,15 +412,17 @@ struct VectorLanes {
     return repeated<kTimes, kPart>(value, std::make_integer_sequence<uint32_t, kWidth>());
   }
 
-  template <uint32_t kCount>
-  [[gnu::always_inline]] static Int load_each(const int32_t* values) {
-    static_assert(kCount == 4);
-    const auto each = loaded<typename SimdVector<int32_t, kCount * sizeof(int32_t)>::Type>(values);
-    if constexpr (kWidth == kCount) {
-      return each;
-    } else {
-      return __builtin_shufflevector(each, each, 0, 1, 2, 3, 0, 1, 2, 3);
+  [[gnu::always_inline]] static uint32_t within_four(int32_t first, const char* begins, const char* ends) {
+    constexpr auto kNumbersInVector = static_cast<int32_t>(kFloatBytes / 4);
+    const Chars all_begins = repeated_bytes(begins);
+    const Chars all_ends = repeated_bytes(ends);
+    uint32_t within = 0;
+    for (int32_t i = 0; i < 8; i += kNumbersInVector) {
+      const Chars numbers =
+          each_four_times(std::make_integer_sequence<int32_t, kFloatBytes>()) + static_cast<char>(first + i);
+      within |= bits_within(numbers, all_begins, all_ends) << static_cast<uint32_t>(4 * i);
     }
+    return within;
   }
   template <uint32_t kCount>
   [[gnu::always_inline]] static Float least_of_each(const Float& value) {
@@ -439,6 +455,39 @@ struct VectorLanes {
     return order_of_packed_bytes(std::make_integer_sequence<int, kFloatBytes>());
   }
 #endif
+  using Chars = typename SimdVector<char, kFloatBytes>::Type;
+
+  // Four bytes, again and again.
+  [[gnu::always_inline]] static Chars repeated_bytes(const char* four) {
+    int32_t bits = 0;
+    std::memcpy(&bits, four, sizeof bits);
+    const Int each = all(bits);
+    return reinterpret_cast<const Chars&>(each);
+  }
+  template <int32_t... kNumbers>
+  [[gnu::always_inline]] static Chars each_four_times(std::integer_sequence<int32_t, kNumbers...> /*all*/) {
+    return Chars{static_cast<char>(kNumbers / 4)...};
+  }
+  // Byte by byte: begins <= values < ends.
+  [[gnu::always_inline]] static uint32_t bits_within(const Chars& values, const Chars& begins, const Chars& ends) {
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    if constexpr (kMasksAreBits && kFloatBytes == 32) {
+      constexpr int kLess = 1;
+      constexpr int kAtMost = 2;
+      const auto begun = static_cast<uint32_t>(__builtin_ia32_cmpb256_mask(begins, values, kAtMost, ~0U));
+      return static_cast<uint32_t>(__builtin_ia32_cmpb256_mask(values, ends, kLess, begun));
+    } else if constexpr (kFloatBytes == 32) {
+      return static_cast<uint32_t>(__builtin_ia32_pmovmskb256((values < ends) & ~(values < begins)));
+    } else if constexpr (kFloatBytes == 16) {
+      return static_cast<uint32_t>(__builtin_ia32_pmovmskb128((values < ends) & ~(values < begins)));
+    }
+#endif
+    uint32_t bits = 0;
+    for (uint32_t i = 0; i < kFloatBytes; ++i) {
+      bits |= (begins[i] <= values[i] && values[i] < ends[i] ? 1U : 0U) << i;
+    }
+    return bits;
+  }
   static constexpr uint64_t kEachByte = 0x0101010101010101U;
   static constexpr uint64_t kOneOfEach = 0x8040201008040201U;
 
