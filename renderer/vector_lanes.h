@@ -49,7 +49,8 @@ struct VectorLanes {
   using Int = typename SimdVector<int32_t, kFloatBytes>::Type;
   using Mask = Int;                                              // all bits of a lane, or none
   using Part = typename SimdVector<double, kDoubleBytes>::Type;  // of Double
-  using Bytes = typename SimdVector<int8_t, kWidth>::Type;
+  using Bytes = typename SimdVector<int8_t, kWidth>::Type;       // one a lane
+  using Chars = typename SimdVector<char, kFloatBytes>::Type;
 
   using Double = DoubleLanes<kDoubleBytes, kParts>;
 
@@ -338,8 +339,24 @@ struct VectorLanes {
   // The lanes' lowest bytes, lane 0 lowest.
   [[gnu::always_inline]] static uint64_t low_bytes(const Int& value) {
     static_assert(kWidth <= sizeof(uint64_t));
-    const Bytes bytes = __builtin_convertvector(value, Bytes);
     uint64_t result = 0;
+#ifdef FILLRULE_HAS_LANE_BUILTINS
+    // Before AVX-512 GCC 12 by itself would take the lanes apart.
+    if constexpr (!kMasksAreBits) {
+      const typename SimdVector<char, 16>::Type order{0, 4, 8, 12};
+      if constexpr (kFloatBytes == 16) {
+        const auto bytes = __builtin_ia32_pshufb128(reinterpret_cast<const Chars&>(value), order);
+        std::memcpy(&result, &bytes, kWidth);
+      } else {
+        const auto orders = joined<Chars>(order, order, std::make_integer_sequence<int, kFloatBytes>());
+        const auto bytes = __builtin_ia32_pshufb256(reinterpret_cast<const Chars&>(value), orders);
+        const Int halves = __builtin_ia32_permvarsi256(reinterpret_cast<const Int&>(bytes), Int{0, 4});
+        std::memcpy(&result, &halves, kWidth);
+      }
+      return result;
+    }
+#endif
+    const Bytes bytes = __builtin_convertvector(value, Bytes);
     std::memcpy(&result, &bytes, sizeof bytes);
     return result;
   }
@@ -455,8 +472,6 @@ struct VectorLanes {
     return order_of_packed_bytes(std::make_integer_sequence<int, kFloatBytes>());
   }
 #endif
-  using Chars = typename SimdVector<char, kFloatBytes>::Type;
-
   // Four bytes, again and again.
   [[gnu::always_inline]] static Chars repeated_bytes(const char* four) {
     int32_t bits = 0;
