@@ -52,10 +52,24 @@ expect 2 'did you mean "run"?' "$fillrule" rnu own/good.toml
 expect 2 "there is no candidate 'painter'" "$fillrule" run own/good.toml --candidate painter
 expect 3 "no Vulkan device of the driver 'voodoo'" "$fillrule" run own/good.toml --reference voodoo
 expect 3 'lavapipe' "$fillrule" run own/good.toml --reference voodoo
-# Sanitizers would report a crash themselves unless told not to.
-expect 139 'fillrule: died of signal SIGSEGV; the innermost frames first:' \
-  env ASAN_OPTIONS=handle_segv=0 TSAN_OPTIONS=handle_segv=0 \
-  bash -c '(sleep 2; kill -SEGV $$) & exec "$0" stress --triangles 1000000000' "$fillrule"
+# Cases for half a minute, of which there is always one under way. Sanitizers would report a crash themselves unless
+# told not to.
+cat >own/slow.toml <<TOML
+${head/16, 16/512, 512}
+[sweep]
+x = { from = 1, to = 100, step = 1 }
+y = { from = 1, to = 100, step = 1 }
+[[draw]]
+space = "framebuffer"
+positions = [[0, 0], ["400 + x", 0], [0, "400 + y"]]
+TOML
+expect_crash() {
+  expect 139 "$1" env ASAN_OPTIONS=handle_segv=0 TSAN_OPTIONS=handle_segv=0 \
+    bash -c '(sleep 2; kill -SEGV $$) & exec "$0" run own/slow.toml --reference none --jobs 1' "$fillrule"
+}
+expect_crash 'fillrule: died of signal SIGSEGV; the innermost frames first:'
+expect_crash 'fillrule: then drawn and judged, of renderer: slow[x='
+rm own/slow.toml
 expect 0 'lavapipe' "$fillrule" devices
 expect 0 'own/cases/topic/a_case.toml' "$fillrule" new topic/a_case --folder own/cases
 expect 2 'is there already' "$fillrule" new topic/a_case --folder own/cases

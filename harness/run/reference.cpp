@@ -1,6 +1,7 @@
 #include "harness/run/reference.h"
 
 #include "harness/programs/glsl.h"
+#include "harness/run/under_way.h"
 
 namespace fillrule::run {
 
@@ -28,6 +29,7 @@ std::vector<std::optional<Planes>> draw_batch(vulkan::Reference& device, std::sp
     accepted.push_back(&cases[batch[i]]);
     places.push_back(i);
   }
+  const UnderWay under_way("drawn by", device.device().driver, accepted);
   std::vector<Result<Planes>> planes = device.draw(accepted);
   for (size_t i = 0; i < accepted.size(); ++i) {
     if (planes[i]) {

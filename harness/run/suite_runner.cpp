@@ -9,6 +9,7 @@
 #include "harness/run/lanes.h"
 #include "harness/run/reference.h"
 #include "harness/run/stopwatch.h"
+#include "harness/run/under_way.h"
 #include "harness/scene/build.h"
 #include "harness/scene/check.h"
 #include "reference/exact/features.h"
@@ -46,7 +47,11 @@ struct SuiteRunner::State {
   // The reference's planes, and for a scene its colours too.
   [[nodiscard]] ReferenceDrawing with_colors(const Case& test_case, Planes planes) const {
     ReferenceDrawing drawn{.planes = std::move(planes)};
-    if (has_colors(test_case)) drawn.colors = scene::paint_scene(test_case, *assets, reference_paint);
+    if (has_colors(test_case)) {
+      const Case* const one = &test_case;
+      const UnderWay under_way("drawn in colour by", devices.front().device().driver, {&one, 1});
+      drawn.colors = scene::paint_scene(test_case, *assets, reference_paint);
+    }
     return drawn;
   }
 
@@ -105,6 +110,8 @@ struct SuiteRunner::State {
 
   // The candidate's part and the verdict. Returns the wall time of the parts.
   RunTiming finish(const Case& test_case, const ReferenceDrawing& drawn, CaseResult& result) const {
+    const Case* const one = &test_case;
+    const UnderWay under_way("drawn and judged, of", candidate.name, {&one, 1});
     RunTiming timing;
     const Planes* const reference_planes = drawn.planes ? &*drawn.planes : nullptr;
     if (Result<void> can = can_finish(test_case); !can) {
@@ -308,6 +315,8 @@ RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress
 }
 
 Result<Drawing> SuiteRunner::draw(const Case& test_case) {
+  const Case* const one = &test_case;
+  const UnderWay under_way("drawn again by both", state_->candidate.name, {&one, 1});
   if (const Result<void> can = state_->can_finish(test_case); !can) return tl::unexpected(can.error());
   Drawing drawing;
   Result<Planes> candidate = state_->candidate.draw(test_case, 0);
@@ -316,7 +325,6 @@ Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   // What the device cannot draw is shown without it.
   ReferenceDrawing drawn;
   if (!state_->devices.empty() && vulkan::check_case(state_->devices.front().device(), test_case)) {
-    const Case* const one = &test_case;
     std::vector<Result<Planes>> planes = state_->devices.front().draw({&one, 1});
     if (!planes.front()) return tl::unexpected(planes.front().error());
     drawn = state_->with_colors(test_case, std::move(*planes.front()));
