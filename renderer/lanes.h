@@ -129,7 +129,7 @@ struct ScalarLanes {
   }
 
   // Bit 4 * i + k: whether begins[k] <= first + i < ends[k], of eight numbers and four spans. All are bytes.
-  static uint32_t within_four(int32_t first, const char* begins, const char* ends) {
+  static uint32_t within_four(int32_t first, const int8_t* begins, const int8_t* ends) {
     uint32_t within = 0;
     for (uint32_t bit = 0; bit < 32; ++bit) {
       const int32_t number = first + static_cast<int32_t>(bit / 4);

@@ -307,8 +307,8 @@ TEST(Lanes, PackNothingOfWhatIsNoColor) {
 }
 
 TEST(Lanes, AreWithinSpans) {
-  const std::array<char, 4> begins{0, -3, 5, 2};
-  const std::array<char, 4> ends{8, 1, 127, 2};
+  const std::array<int8_t, 4> begins{0, -3, 5, 2};
+  const std::array<int8_t, 4> ends{8, 1, 127, 2};
   for (const Isa isa : kAllIsas) {
     if (!is_supported(isa)) continue;
     std::array<uint32_t, 2> within{};

@@ -185,9 +185,9 @@ template <typename L>
 // row's samples, which are few enough for bytes.
 struct RowSpans {
   static constexpr size_t kRows = kMaxSpanPixels + kBlockSize;  // lanes write beyond the last row
-  std::array<char, 4 * kRows> begins;
-  std::array<char, 4 * kRows> ends;
-  std::array<char, 4 * kRows> firsts;  // of the first pixel: from the left of the rectangle
+  std::array<int8_t, 4 * kRows> begins;
+  std::array<int8_t, 4 * kRows> ends;
+  std::array<int8_t, 4 * kRows> firsts;  // of the first pixel: from the left of the rectangle
 
   // From row `row` on, as many rows as lanes hold.
   template <typename L>
@@ -200,7 +200,7 @@ struct RowSpans {
 
  private:
   template <typename L>
-  [[gnu::always_inline]] static void put(const typename L::Int& values, char* bytes) {
+  [[gnu::always_inline]] static void put(const typename L::Int& values, int8_t* bytes) {
     const uint64_t low = L::low_bytes(values);
     std::memcpy(bytes, &low, L::kWidth);
   }

@@ -429,7 +429,7 @@ struct VectorLanes {
     return repeated<kTimes, kPart>(value, std::make_integer_sequence<uint32_t, kWidth>());
   }
 
-  [[gnu::always_inline]] static uint32_t within_four(int32_t first, const char* begins, const char* ends) {
+  [[gnu::always_inline]] static uint32_t within_four(int32_t first, const int8_t* begins, const int8_t* ends) {
     constexpr auto kNumbersInVector = static_cast<int32_t>(kFloatBytes / 4);
     const Chars all_begins = repeated_bytes(begins);
     const Chars all_ends = repeated_bytes(ends);
@@ -473,7 +473,7 @@ struct VectorLanes {
   }
 #endif
   // Four bytes, again and again.
-  [[gnu::always_inline]] static Chars repeated_bytes(const char* four) {
+  [[gnu::always_inline]] static Chars repeated_bytes(const int8_t* four) {
     int32_t bits = 0;
     std::memcpy(&bits, four, sizeof bits);
     const Int each = all(bits);
