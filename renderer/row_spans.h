@@ -220,6 +220,7 @@ template <typename L>
 template <typename L, uint32_t kSamples>
 [[gnu::always_inline]] inline void add_spans(const FixedPosition& a, const FixedPosition& b, const FixedPosition& c,
                                              const SpanSamples& samples, uint32_t subpixel_bits, RunWriter& writer) {
+  static_assert(kSamples == 1 || kSamples == 4, "RowSpans are of four samples");
   const PixelRect& rect = writer.rect;
   SpanEdge<L, kSamples> edge0(a, b, samples, subpixel_bits, rect);
   SpanEdge<L, kSamples> edge1(b, c, samples, subpixel_bits, rect);

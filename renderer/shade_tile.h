@@ -63,7 +63,7 @@ template <Program P>
   }
 }
 
-// Of which all samples are covered.
+// A block of which all samples are covered, wherever it is put.
 template <typename Coverage>
 [[gnu::always_inline]] inline auto whole_block(size_t samples) {
   if constexpr (std::is_same_v<Coverage, TileCoverage>) {

@@ -68,7 +68,7 @@ expect_crash() {
     bash -c '(sleep 2; kill -SEGV $$) & exec "$0" run own/slow.toml --reference none --jobs 1' "$fillrule"
 }
 expect_crash 'fillrule: died of signal SIGSEGV; the innermost frames first:'
-expect_crash 'fillrule: then drawn and judged, of renderer: slow[x='
+expect_crash 'fillrule: under way: drawn or judged for the candidate renderer: slow[x='
 rm own/slow.toml
 expect 0 'lavapipe' "$fillrule" devices
 expect 0 'own/cases/topic/a_case.toml' "$fillrule" new topic/a_case --folder own/cases

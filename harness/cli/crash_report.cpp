@@ -28,7 +28,7 @@ void print_under_way() {
   for (size_t slot = 0; slot < run::UnderWay::kMost; ++slot) {
     const run::UnderWay* const work = run::UnderWay::in_slot(slot);
     if (work == nullptr) continue;
-    print("fillrule: then ");
+    print("fillrule: under way: ");
     print(work->what());
     print(" ");
     print(work->party());

@@ -111,7 +111,7 @@ struct SuiteRunner::State {
   // The candidate's part and the verdict. Returns the wall time of the parts.
   RunTiming finish(const Case& test_case, const ReferenceDrawing& drawn, CaseResult& result) const {
     const Case* const one = &test_case;
-    const UnderWay under_way("drawn and judged, of", candidate.name, {&one, 1});
+    const UnderWay under_way("drawn or judged for the candidate", candidate.name, {&one, 1});
     RunTiming timing;
     const Planes* const reference_planes = drawn.planes ? &*drawn.planes : nullptr;
     if (Result<void> can = can_finish(test_case); !can) {
@@ -316,7 +316,7 @@ RunResult SuiteRunner::run(std::span<const Case> cases, const Progress& progress
 
 Result<Drawing> SuiteRunner::draw(const Case& test_case) {
   const Case* const one = &test_case;
-  const UnderWay under_way("drawn again by both", state_->candidate.name, {&one, 1});
+  const UnderWay under_way("drawn for pictures by the reference and", state_->candidate.name, {&one, 1});
   if (const Result<void> can = state_->can_finish(test_case); !can) return tl::unexpected(can.error());
   Drawing drawing;
   Result<Planes> candidate = state_->candidate.draw(test_case, 0);

@@ -69,7 +69,7 @@ TEST(UnderWay, HasTheCaseThatTheCandidateDraws) {
   ASSERT_TRUE(runner);
   const std::vector<Case> cases{named("x/y")};
   runner->run(cases);
-  EXPECT_EQ(seen, std::vector<std::string>{"drawn and judged, of onlooker: x/y"});
+  EXPECT_EQ(seen, std::vector<std::string>{"drawn or judged for the candidate onlooker: x/y"});
   EXPECT_TRUE(under_way().empty());
 }
 
